@@ -3,16 +3,22 @@ from __future__ import annotations
 import numpy as np
 import scipy.sparse as sp
 
-from risorius.face.products import SparseRows, carry, carry_upwards
+from risorius.face.products import SparseRows, carry, carry_upwards, without_fourth
 
 RNG = np.random.default_rng(7)
 
 
 def test_rows_times_points_is_the_matrix_product():
     matrix = sp.random(40, 30, density=0.2, format="csr", random_state=3)
-    points, out = RNG.normal(size=(30, 3)), np.full((40, 3), np.nan)
+    points, out = RNG.normal(size=(30, 4)), np.full((40, 4), np.nan)
     assert SparseRows.of(matrix).times(points, out) is out
     np.testing.assert_allclose(out, matrix @ points, atol=1e-14)
+
+
+def test_the_fourth_column_is_left_out():
+    points, out = RNG.normal(size=(5, 4)), np.full((5, 3), np.nan, np.float32)
+    without_fourth(points, out)
+    np.testing.assert_array_equal(out, points[:, :3].astype(np.float32))
 
 
 def test_carry_adds_the_motion_of_every_handle_to_its_region_alone():

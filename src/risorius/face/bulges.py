@@ -67,7 +67,7 @@ class Bulges:
         self.vertices = np.unique(rows.row_vertex)
 
     def lift(self, skin: Array, out: Array) -> None:
-        """Add the mm by which the level-0 `skin` (N0, 3) swells to `out` (N1,)."""
+        """Add the mm by which the level-0 `skin` (N0, 4) swells to `out` (N1,)."""
         self._compression.measure(skin, self._area)
         _swell(self._area, self._compression.row_vertex, self._mask, self._depth, self._cap, out)
 

@@ -89,7 +89,7 @@ class Compression:
         )
 
     def measure(self, skin: Array, out: Array) -> Array:
-        """Write the stretch (r,), 1 at rest, of every row on level-0 `skin` (N0, 3) to `out`, and return it.
+        """Write the stretch (r,), 1 at rest, of every row on level-0 `skin` (N0, 4) to `out`, and return it.
 
         Half of it is the row's own and half the mean of its side of the zone: skin slides on the fat below.
         """

@@ -46,7 +46,7 @@ class Jaw:
         return cls(head.jaw_point, head.jaw_axis, head.jaw_angle, head.jaw_weight, opened - rigid)
 
     def carry_skin(self, rest: Array, displacement: Array, opening: float, out: Array) -> None:
-        """Write the skin (N0, 3), moved by `displacement` and by the jaw at `opening` 0..1, to `out`."""
+        """Write the skin (N0, 4), moved by `displacement` and by the jaw at `opening` 0..1, to `out`."""
         _carry(
             rest, displacement, self.weight, self.corrective, self.point, self.axis, self.angle, opening, out
         )

@@ -54,7 +54,7 @@ class Lids:
     taper          (m,) 1 at the middle of the eye, 0 at its corners
     region         (r,) level-0 vertices that move with the margins, `motion` (2 m, r) how far with each
     shell          (s,) level-1 vertices, `floor` (s,) mm their least distance to `centre`
-    work           scratch: the margins' places and displacements (2 m, 3), the region's displacements (3, r)
+    work           scratch: the margins' places and displacements (2 m, 4), the region's displacements (3, r)
     """
 
     column: int
@@ -101,11 +101,11 @@ class Lids:
             np.ascontiguousarray(np.linalg.inv(plate.compliance).T @ plate.motion),
             shell,
             floor,
-            (np.empty((2 * len(pairs), 3)), np.empty((2 * len(pairs), 3)), np.empty((3, len(plate.region)))),
+            (np.empty((2 * len(pairs), 4)), np.empty((2 * len(pairs), 4)), np.empty((3, len(plate.region)))),
         )
 
     def close(self, skin: Array, closure: float, pitch: float) -> None:
-        """Move the level-0 `skin` (N0, 3) in place: `closure` 0..1, the eye at `pitch` degrees."""
+        """Move the level-0 `skin` (N0, 4) in place: `closure` 0..1, the eye at `pitch` degrees."""
         up, down = follow(pitch, UPPER_GAIN, UPPER_MOST), follow(pitch, LOWER_GAIN, LOWER_MOST)
         places, goal, sums = self.work
         self.margin.times(skin, places)
@@ -117,7 +117,7 @@ class Lids:
         carry(self.region, self.motion, goal, sums, skin)
 
     def keep_off(self, skin: Array) -> None:
-        """Push the level-1 `skin` (N1, 3) out of the eyeball in place."""
+        """Push the level-1 `skin` (N1, 4) out of the eyeball in place."""
         _push_out(skin, self.shell, self.floor, self.centre)
 
 
@@ -152,7 +152,7 @@ def _aim(
     down: float,
     goal: Array,
 ) -> float:
-    """Write the goal angles of the margins at `places` (2 m, 3) to the last column of `goal` (2 m, 3).
+    """Write the goal angles of the margins at `places` (2 m, 4) to the third column of `goal` (2 m, 4).
 
     `up` and `down` are the rotations in radians by which upper and lower lid follow the gaze. Returns the
     share of the blink's own `path` (m,) that brings the upper lid nearest to its goal.
@@ -172,7 +172,7 @@ def _aim(
 
 @kernel
 def _rest_of_the_way(places: Array, centre: Array, closure: float, goal: Array) -> None:
-    """Replace `goal` (2 m, 3), whose last column has angles, by displacements in mm of `places` (2 m, 3).
+    """Replace `goal` (2 m, 4), whose third column has angles, by displacements in mm of `places` (2 m, 4).
 
     In x and radius the closing margins meet half way.
     """

@@ -50,11 +50,11 @@ class Handles:
         self._sums = np.empty((3, len(plate.region)))
 
     def places(self, points: Array) -> Array:
-        """Return the places (s, 3) on `points` (n, 3)."""
-        return self._rows.times(points, np.empty((len(self._motion), 3)))
+        """Return the places (s, 4) on `points` (n, 4)."""
+        return self._rows.times(points, np.empty((len(self._motion), 4)))
 
     def move(self, skin: Array, way: Array) -> None:
-        """Move the places by `way` (s, 3) mm, together with the level-0 `skin` (N0, 3) around them."""
+        """Move the places by `way` (s, 4) mm, together with the level-0 `skin` (N0, 4) around them."""
         carry(self._region, self._motion, way, self._sums, skin)
 
 
@@ -66,10 +66,10 @@ class Lips:
         rest: Array = mouth.matrix @ head.rest
         self._plate = response(stiffness(len(head.rest), head.quads), mouth.matrix, nearby(head.rest, rest))
         self._facing = mouth.facing
-        self._matrix, self._points = SparseRows.of(mouth.matrix), np.zeros_like(rest)
+        self._matrix, self._points = SparseRows.of(mouth.matrix), np.zeros((len(rest), 4))
         self._line = Handles(mouth.line, self._plate)
         self._ends = SparseRows.of(sp.csr_matrix(0.5 * np.abs(mouth.line[[0, -1]])))
-        self._corners = np.zeros((2, 3))
+        self._corners = np.zeros((2, 4))
         upper, lower = np.maximum(mouth.line, 0.0), np.maximum(-mouth.line, 0.0)
         central = np.abs(lower @ rest[:, 0]) <= TUCK_WIDTH
         self._tucked = Handles(np.vstack([upper[central], lower[central]]), self._plate)
@@ -82,7 +82,7 @@ class Lips:
         self._sums = np.empty(len(self._plate.region))
 
     def solve(self, skin: Array, seal: float, tuck: float) -> None:
-        """Move the level-0 `skin` (N0, 3) in place.
+        """Move the level-0 `skin` (N0, 4) in place.
 
         The lower lip goes the share `tuck` (0..1) of its way to the upper teeth, and the lips come
         together by `seal`: by `SEAL_MM`·seal mm, or wholly if it is 1, which leaves no tuck. Then lips that
@@ -103,7 +103,7 @@ class Lips:
                 self._restore(skin, apart, opening)
 
     def _restore(self, skin: Array, apart: Array, opening: float) -> None:
-        """Bring the places of the line that are open back to how far they were `apart` (s, 3), or may be.
+        """Bring the places of the line that are open back to how far they were `apart` (s, 4), or may be.
 
         Lips that are pushed apart at the corners would else move at their middle, too, by some tenths of a
         millimetre from frame to frame.

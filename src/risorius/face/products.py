@@ -10,8 +10,9 @@ from typing import NamedTuple
 import numpy as np
 import scipy.sparse as sp
 
-from ..core.arrays import Array, IntArray, UIntArray
-from ..core.kernels.jit import summing_kernel
+from ..core.arrays import Array, FloatArray, IntArray, UIntArray
+from ..core.kernels.four import four, row, set_row
+from ..core.kernels.jit import lean_kernel, summing_kernel
 
 
 def short(indices: IntArray) -> UIntArray:
@@ -32,26 +33,34 @@ class SparseRows(NamedTuple):
         return cls(matrix.indptr.astype(np.uint32), short(matrix.indices), matrix.data.astype(np.float64))
 
     def times(self, points: Array, out: Array) -> Array:
-        """Write the product with `points` (m, 3) to `out` (n, 3) and return it."""
+        """Write the product with `points` (m, 4) to `out` (n, 4) and return it.
+
+        Points are rows of x, y, z and an unused 0, so that a row fits a vector register.
+        """
         _times(*self, points, out)
         return out
 
 
-@summing_kernel
+@lean_kernel
 def _times(start: IntArray, column: UIntArray, weight: Array, points: Array, out: Array) -> None:
     for i in range(len(out)):
-        x, y, z = 0.0, 0.0, 0.0
+        total = four(0.0)
         for e in range(start[i], start[i + 1]):
-            w, j = weight[e], column[e]
-            x += w * points[j, 0]
-            y += w * points[j, 1]
-            z += w * points[j, 2]
-        out[i, 0], out[i, 1], out[i, 2] = x, y, z
+            total += weight[e] * row(points, column[e])
+        set_row(out, i, total)
+
+
+@lean_kernel
+def without_fourth(points: Array, out: FloatArray) -> None:
+    """Copy `points` (n, 4) without their fourth column to `out` (n, 3), of any precision."""
+    for v in range(len(out)):
+        for c in range(3):
+            out[v, c] = points[v, c]
 
 
 @summing_kernel
 def carry(region: IntArray, motion: Array, moves: Array, sums: Array, skin: Array) -> None:
-    """Add the transpose of `motion` (s, r) times `moves` (s, 3) to `skin` (N, 3) at `region` (r,).
+    """Add the transpose of `motion` (s, r) times `moves` (s, 4) to `skin` (N, 4) at `region` (r,).
 
     `sums` (3, r) is scratch.
     """
@@ -69,7 +78,7 @@ def carry(region: IntArray, motion: Array, moves: Array, sums: Array, skin: Arra
 
 @summing_kernel
 def carry_upwards(region: IntArray, motion: Array, pushes: Array, sums: Array, skin: Array) -> None:
-    """Add `pushes` (s,), most of them 0, times `motion` (s, r) to the y of `skin` (N, 3) at `region` (r,).
+    """Add `pushes` (s,), most of them 0, times `motion` (s, r) to the y of `skin` (N, 4) at `region` (r,).
 
     `sums` (r,) is scratch.
     """

@@ -30,7 +30,7 @@ from .links import Links, load_links
 from .lips import Lips
 from .muscles import DisplacedSkin, MuscleFields
 from .network import Network
-from .products import SparseRows
+from .products import SparseRows, without_fourth
 from .rotations import head_rotation
 from .springs import Springs
 from .teeth import Teeth
@@ -107,13 +107,12 @@ class FaceSolver:
         self._refine = SparseRows.of(head.skin.matrix)
         self._linked = np.zeros(len(PARAMETERS))
         self._displacement = np.zeros_like(head.rest)
-        self._skin = np.zeros_like(head.rest)
-        self._fine = np.zeros((head.skin.matrix.shape[0], 3))
+        self._skin, self._fine = (np.zeros((n, 4)) for n in reversed(head.skin.matrix.shape))
         self._tongue_points = np.zeros_like(self._tongue.rest)
 
     def buffers(self) -> FrameBuffers:
         """Return arrays for a frame, which `solve` and `solve_moving` can fill again and again."""
-        shapes = (self._fine.shape, self.head.teeth_lower.vertices.shape, self._tongue_points.shape)
+        shapes = ((len(self._fine), 3), self.head.teeth_lower.vertices.shape, self._tongue_points.shape)
         skin, teeth, tongue = (np.empty(shape, np.float32) for shape in shapes)
         return FrameBuffers(skin, teeth, tongue, np.zeros(self._wrinkles.shape, np.float32))
 
@@ -184,4 +183,4 @@ class FaceSolver:
             lids.keep_off(self._fine)
         self._teeth.keep_out(self._fine, values[_JAW])
         self._wrinkles.fold(skin, self._fine, buffers.wrinkles)
-        buffers.skin[:] = self._fine
+        without_fourth(self._fine, buffers.skin)

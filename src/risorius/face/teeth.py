@@ -68,7 +68,7 @@ class Teeth:
         )
 
     def keep_out(self, skin: Array, opening: float) -> None:
-        """Push the level-1 `skin` (N1, 3) before the teeth in place, with the jaw at `opening` 0..1."""
+        """Push the level-1 `skin` (N1, 4) before the teeth in place, with the jaw at `opening` 0..1."""
         for row, turn in self._rows(opening):
             _keep_out(skin, self.places, row.middle, row.front, row.around, turn, self.jaw.point)
 

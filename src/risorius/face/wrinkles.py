@@ -51,7 +51,7 @@ class Wrinkles:
         self._raised = _Raised(head, np.union1d(rows.row_vertex[self._relief != 0.0], self._bulges.vertices))
 
     def fold(self, skin: Array, fine: Array, heights: Float32Array) -> None:
-        """Write the `heights` (N1, R) in mm of folds on the level-0 skin (N0, 3), and raise `fine` (N1, 3).
+        """Write the `heights` (N1, R) in mm of folds on the level-0 skin (N0, 4), and raise `fine` (N1, 4).
 
         `fine` moves along its normals by the bulges and by the part of the folds that the mesh can show. The
         caller passes `heights` of 0 once; only the tenth of them that can differ from 0 is written.
@@ -88,7 +88,7 @@ class _Raised:
         self._step = np.zeros((len(vertices), 3))
 
     def move(self, lift: Array, fine: Array) -> None:
-        """Move `fine` (N1, 3) by `lift` (N1,) mm along its normals."""
+        """Move `fine` (N1, 4) by `lift` (N1,) mm along its normals."""
         _steps(self._vertices, self._start, self._around, lift, fine, self._step)
         _step(self._vertices, self._step, fine)
 
