@@ -12,13 +12,13 @@ from risorius.blend.knots import (
     BLOCK,
     STEEPEST,
     Knots,
+    Neighbourhood,
     block_knots,
     eased,
     inverse_ramp,
-    lowest,
     paced,
+    parts,
     ramp,
-    rounded,
 )
 
 SHARES = arrays(np.float64, 60, elements=st.floats(0.0, 1.0))
@@ -79,13 +79,14 @@ def test_a_share_of_half_changes_in_half_the_time_and_of_nothing_not_at_once() -
 def test_the_lowest_of_all_times_around(share: np.ndarray, steps: np.ndarray) -> None:
     times = np.cumsum(steps)
     near = np.abs(times[:, None] - times) <= WIDTH / 2.0 + 1e-9
-    assert (lowest(times, share, WIDTH) == np.where(near, share, np.inf).min(axis=1)).all()
+    lowest = Neighbourhood(times, WIDTH).lowest(share)
+    assert (lowest == np.where(near, share, np.inf).min(axis=1)).all()
 
 
 def test_a_rounded_curve_has_no_corner_and_is_exact_where_it_is_even() -> None:
     times = np.linspace(0.0, 1.0, 501)
     corner = 0.9 - np.abs(times - 0.5).clip(0.0, 0.3)
-    found = rounded(times, corner, WIDTH)
+    found = Neighbourhood(times, WIDTH).average(corner)
     assert (found[times < 0.17] == corner[times < 0.17]).all()
     assert np.abs(np.diff(found, 2)).max() < 0.2 * np.abs(np.diff(corner, 2)).max()
 
@@ -93,7 +94,8 @@ def test_a_rounded_curve_has_no_corner_and_is_exact_where_it_is_even() -> None:
 @given(share=SHARES, steps=STEPS)
 def test_rounded_after_the_lowest_is_not_above_the_curve(share: np.ndarray, steps: np.ndarray) -> None:
     times = np.cumsum(steps)
-    assert (rounded(times, lowest(times, share, WIDTH), WIDTH) <= share + 1e-12).all()
+    around = Neighbourhood(times, WIDTH)
+    assert (around.average(around.lowest(share)) <= share + 1e-12).all()
 
 
 @given(start=st.floats(0.0, 60.0), last=st.floats(100.0, 20_000.0))
@@ -105,3 +107,11 @@ def test_the_knots_of_a_block_do_not_grow_with_a_stretch_that_leaves_it(start: f
     assert min(2.0 * BLOCK + 2.0, last) <= block[-1]
     every = knots.between(0.0, last)
     assert np.isin(block.round(9), every.round(9)).all()
+
+
+def test_times_lie_in_the_parts_that_hold_them() -> None:
+    times = np.array([-0.5, 1.0, 59.0, 60.0, 89.9, 150.0])
+    found = [(number, times[place].tolist()) for number, place in parts(times, 30.0)]
+    assert found == [(-1, [-0.5]), (0, [1.0]), (1, [59.0]), (2, [60.0, 89.9]), (5, [150.0])]
+    assert list(parts(times[1:2], 30.0)) == [(0, slice(0, 1))]
+    assert list(parts(times[:0], 30.0)) == []

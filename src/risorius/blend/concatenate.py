@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from ..core.channels import CHANNELS
@@ -108,6 +108,9 @@ def _step(movement: Movement, start: float, function: str | None) -> LayerStep:
 
 
 def _curves(steps: list[LayerStep]) -> dict[str, MovementCurve]:
+    """Return the curve of each parameter; those that are always moved alike, as both sides are, share one."""
+    alike = _moved_alike(steps)
+    chosen = set(alike.values())
     finished: dict[str, CurvePieces] = defaultdict(CurvePieces)
     live: dict[str, CurvePiece] = {}
     before: LayerStep | None = None
@@ -118,6 +121,8 @@ def _curves(steps: list[LayerStep]) -> dict[str, MovementCurve]:
         if before is not None:
             before.until = min(before.until, step.start)
         for name in {**levels_left, **step.targets}:
+            if name not in chosen:
+                continue
             level, movement = levels_left.get(name, (0.0, step.movement))
             if name in step.targets:
                 movement = step.movement
@@ -129,19 +134,20 @@ def _curves(steps: list[LayerStep]) -> dict[str, MovementCurve]:
             step.until = max(step.until, piece.last)
         before = step
     _finish(live, finished)
-    return _shared(finished)
+    curves = {name: MovementCurve(pieces) for name, pieces in finished.items()}
+    return {name: curves[other] for name, other in alike.items()}
 
 
-def _shared(finished: Mapping[str, CurvePieces]) -> dict[str, MovementCurve]:
-    """Return the curve of each parameter; parameters with equal pieces, as of both sides, share one curve."""
-    by_key: dict[object, MovementCurve] = {}
-    curves = {}
-    for name, pieces in finished.items():
-        key = pieces.key()
-        if key not in by_key:
-            by_key[key] = MovementCurve(pieces)
-        curves[name] = by_key[key]
-    return curves
+def _moved_alike(steps: list[LayerStep]) -> dict[str, str]:
+    """Return for each parameter the first one that all steps move to the same targets, most often itself."""
+    targets: dict[str, list[tuple[int, float]]] = defaultdict(list)
+    for number, step in enumerate(steps):
+        for name, target in step.targets.items():
+            targets[name].append((number, target))
+    first: dict[object, str] = {}
+    return {
+        name: first.setdefault((name in SIGNED, name in EYES, *own), name) for name, own in targets.items()
+    }
 
 
 def _finish(live: dict[str, CurvePiece], finished: dict[str, CurvePieces]) -> None:

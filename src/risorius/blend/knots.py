@@ -133,39 +133,40 @@ def paced(times: Array, requested: Array) -> Array:
     return np.append(0.0, np.cumsum(_grains(np.diff(times) / most)))
 
 
-def rounded(times: Array, share: Array, width: float) -> Array:
-    """Return the average of a curve over `width` seconds around each time, shape (n,): it has no corners.
+class Neighbourhood:
+    """The `width` seconds around each of some sorted times (n,), cut at the first and the last time."""
 
-    A constant stretch of the curve stays exactly as it is.
-    """
-    area = np.append(0.0, np.cumsum(0.5 * (share[1:] + share[:-1]) * np.diff(times)))
-    first, last = _around(times, width)
-    spread = np.interp(last, times, area) - np.interp(first, times, area)
-    average = spread / np.maximum(last - first, TICK)
-    least, most = lowest(times, share, width), -lowest(times, -share, width)
-    return np.asarray(np.clip(average, least, most))
+    def __init__(self, times: Array, width: float) -> None:
+        self._times, half = times, 0.5 * width
+        self._first = np.maximum(times - half, times[0])
+        self._last = np.minimum(times + half, times[-1])
+        # Count a time at the very end of a stretch as inside, whatever the rounding.
+        low = np.searchsorted(times, self._first - TICK, side="left")
+        count = np.searchsorted(times, self._last + TICK, side="right") - low
+        # Two ranges whose lengths are powers of two cover each range: their least value is its own.
+        powers = np.frexp(count.astype(np.float64))[1] - 1
+        self._ranges = []
+        for power in range(int(powers.max()) + 1):
+            here = np.flatnonzero(powers == power)
+            self._ranges.append((here, low[here], low[here] + count[here] - 2**power))
 
+    def average(self, curve: Array) -> Array:
+        """Return the average of a curve (n,) around each time, shape (n,): it has no corners.
 
-def lowest(times: Array, share: Array, width: float) -> Array:
-    """Return the least value of a curve within `width` seconds around each time, shape (n,)."""
-    first, last = _around(times, width)
-    # Count a time at the very end of a stretch as inside, whatever the rounding.
-    low = np.searchsorted(times, first - TICK, side="left")
-    count = np.searchsorted(times, last + TICK, side="right") - low
-    # Two ranges whose lengths are powers of two cover each range: their least value is its own.
-    powers = np.frexp(count.astype(np.float64))[1] - 1
-    lowest_values, least = np.empty(len(times)), share
-    for power in range(int(powers.max()) + 1):
-        here = np.flatnonzero(powers == power)
-        lowest_values[here] = np.minimum(least[low[here]], least[low[here] + count[here] - 2**power])
-        least = np.minimum(least[: -(2**power)], least[2**power :])
-    return lowest_values
+        A constant stretch of the curve stays exactly as it is.
+        """
+        area = np.append(0.0, np.cumsum(0.5 * (curve[1:] + curve[:-1]) * np.diff(self._times)))
+        spread = np.interp(self._last, self._times, area) - np.interp(self._first, self._times, area)
+        average = spread / np.maximum(self._last - self._first, TICK)
+        return np.asarray(np.clip(average, self.lowest(curve), -self.lowest(-curve)))
 
-
-def _around(times: Array, width: float) -> tuple[Array, Array]:
-    """Return start and end of `width` seconds around each time, cut at the first and the last time."""
-    half = 0.5 * width
-    return np.maximum(times - half, times[0]), np.minimum(times + half, times[-1])
+    def lowest(self, curve: Array) -> Array:
+        """Return the least value of a curve (n,) around each time, shape (n,)."""
+        lowest, least = np.empty(len(curve)), curve
+        for power, (here, low, high) in enumerate(self._ranges):
+            lowest[here] = np.minimum(least[low], least[high])
+            least = np.minimum(least[: -(2**power)], least[2**power :])
+        return lowest
 
 
 def envelope(times: Array, limit: Array, rise: float, fall: float) -> Array:

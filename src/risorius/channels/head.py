@@ -77,7 +77,7 @@ def _melody(inputs: ChannelInputs) -> Iterator[Movement]:
         runs, [*(start for _, start in runs[1:]), inputs.duration], strict=True
     ):
         size = degrees * size_of(MELODY, inputs.modulations_at(first))
-        pitch = fmean(min(max(s.pitch, -2.0), 2.0) for s in run)
+        pitch = fmean([min(max(s.pitch, -2.0), 2.0) for s in run])
         cause = Cause(MELODY, f'"{said.words[run[0].word].text}"')
         last = run[-1].end
         pauses = following > last + TICK

@@ -205,7 +205,15 @@ def unit_weights(name: str) -> Mapping[str, float]:
 
 def in_parameters(targets: Mapping[str, float]) -> Mapping[str, float]:
     """Return targets as values of parameters; those that have no action unit as they are."""
-    return resolve_targets(targets) if any(name.startswith("AU") for name in targets) else targets
+    if not any(name.startswith("AU") for name in targets):
+        return targets
+    return _in_parameters(tuple(targets.items()))
+
+
+# Each movement is asked for its parameters several times while it is planned.
+@lru_cache(maxsize=4096)
+def _in_parameters(targets: tuple[tuple[str, float], ...]) -> Mapping[str, float]:
+    return FrozenDict(resolve_targets(dict(targets)))
 
 
 def read_targets(targets: Mapping[str, float]) -> dict[str, float]:

@@ -15,7 +15,7 @@ that phones without such targets leave these muscles at exactly 0.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 
 import numpy as np
@@ -74,6 +74,9 @@ SEAL_ROUNDED = 0.05
 """Of a seal: how near it comes to what a wide gap allows before it turns."""
 _LEAST_EFFECT = 0.6
 """mm of gap: `open` is taken to have at least this effect at first, a seventh of its effect at rest."""
+_Targets = tuple[tuple[str, float], ...]
+_MOST_KNOWN = 4096
+"""Targets whose blended form a rig remembers: phones of one class and stress have the same in all lines."""
 _HELPING = 0.95 * DEFAULT_THRESHOLD
 """The largest activation of a control's further muscles."""
 
@@ -88,6 +91,7 @@ class LipRig:
 
     terms: Int64Array
     coefficients: Array
+    _known: dict[_Targets, dict[str, float]] = field(default_factory=dict, init=False, repr=False)
 
     def passive(self, measure: str, controls: Mapping[str, Array]) -> Array:
         """Return a measure in mm for some controls; the others are 0."""
@@ -99,18 +103,23 @@ class LipRig:
         Width, protrusion and corners are reduced by the effects of the jaw and the opening; a missing
         aperture is what the jaw opens. Other targets are left out.
         """
-        wanted = [{n: v for n, v in of.items() if n in ARTICULATORS} for of in targets]
-        alike: dict[frozenset[str], list[int]] = {}
-        for number, own in enumerate(wanted):
-            alike.setdefault(frozenset(own), []).append(number)
-        blended: list[dict[str, float]] = [{} for _ in wanted]
-        for names, numbers in alike.items():
+        wanted = [tuple((n, v) for n, v in of.items() if n in ARTICULATORS) for of in targets]
+        if len(self._known) > _MOST_KNOWN:
+            self._known.clear()
+        known = {own: of for own in wanted if (of := self._known.get(own)) is not None}
+        alike: dict[tuple[str, ...], list[_Targets]] = {}
+        for own in dict.fromkeys(wanted):
+            if own not in known:
+                alike.setdefault(tuple(name for name, _ in own), []).append(own)
+        for names, group in alike.items():
+            known.update((own, {}) for own in group)
             if names:
-                columns = {name: np.array([wanted[k][name] for k in numbers]) for name in names}
-                for name, values in self._actives(columns).items():
-                    for k, value in zip(numbers, values.tolist(), strict=True):
-                        blended[k][name] = value
-        return blended
+                table = np.array([[value for _, value in own] for own in group])
+                for name, values in self._actives(dict(zip(names, table.T, strict=True))).items():
+                    for own, value in zip(group, values.tolist(), strict=True):
+                        known[own][name] = value
+        self._known.update(known)
+        return [dict(known[own]) for own in wanted]
 
     def _actives(self, wanted: dict[str, Array]) -> dict[str, Array]:
         """Return what `actives` does for targets of the same articulators, (n,) each."""

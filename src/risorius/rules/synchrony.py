@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -102,8 +103,9 @@ def nearest(time: float, boundaries: Sequence[float], reach: float | None = None
     """Return the boundary closest to a time, the time itself where none is within reach."""
     reach = synchrony().reach if reach is None else reach
     index = bisect_left(boundaries, time)
-    near = boundaries[max(0, index - 1) : index + 1]
-    best = min(near, key=lambda b: abs(b - time), default=time)
+    before = boundaries[index - 1] if index else -math.inf
+    after = boundaries[index] if index < len(boundaries) else math.inf
+    best = before if time - before <= after - time else after
     return best if abs(best - time) <= reach else time
 
 

@@ -21,6 +21,7 @@ class Units:
     def __init__(self, situation: Situation) -> None:
         self.situation = situation
         self._said = situation.utterance
+        self._made: dict[Level, tuple[Unit, ...]] = {}
 
     def of(self, level: Level) -> tuple[Unit, ...]:
         """Return the units of a level in order; none of those that speech has where nothing is said."""
@@ -28,7 +29,9 @@ class Units:
             return tuple(self._moments())
         if self._said is None or not self._said.words:
             return ()
-        return self._by_level[level]
+        if level not in self._made:
+            self._made[level] = tuple(self._spoken[level]())
+        return self._made[level]
 
     @cached_property
     def boundaries(self) -> tuple[float, ...]:
@@ -44,10 +47,11 @@ class Units:
         return tuple(p.start for p in pauses if p.kind in SENTENCE_ENDS)
 
     @cached_property
-    def _by_level(self) -> dict[Level, tuple[Unit, ...]]:
+    def _spoken(self) -> dict[Level, Callable[[], Iterator[Unit]]]:
+        """What makes the units of each level of speech."""
         assert self._said is not None
         spoken = SpokenUnits(self._said, self.situation)
-        makers: dict[Level, Callable[[], Iterator[Unit]]] = {
+        return {
             Level.PHONEME: spoken.phonemes,
             Level.SYLLABLE: spoken.syllables,
             Level.WORD: spoken.words,
@@ -57,7 +61,6 @@ class Units:
             Level.TURN: lambda: spoken.stretches(Level.TURN),
             Level.PAUSE: spoken.pauses,
         }
-        return {level: tuple(make()) for level, make in makers.items()}
 
     def _moments(self) -> Iterator[Unit]:
         s = self.situation

@@ -12,7 +12,7 @@ import numpy as np
 from ...core.arrays import Array
 from ..channels import Channel
 from ..intervals import EMPTY, Spans
-from ..knots import eased, lowest, paced, rounded
+from ..knots import eased, paced
 from ..levels import Levels, outranking, outranks
 from .speech_mouth import JAW, KnotBlock, SpeechMouth
 
@@ -86,9 +86,9 @@ class SpeechLimits:
                 limit = np.maximum(limit - speech, 0.0)
             share = np.divide(limit, requested, out=np.ones(len(knots)), where=requested > limit)
             if (share < 1.0).any():
-                share = lowest(knots, share, ROUNDED)
-                clock = paced(knots, requested)
+                around, clock = block.around(ROUNDED), paced(knots, requested)
+                share = around.lowest(share)
                 share = eased(clock, share, tuning.min_onset[name], tuning.min_offset[name])
-                share = rounded(knots, share, ROUNDED)
+                share = around.average(share)
             block.shares[key] = share
         return block.shares[key]

@@ -8,7 +8,7 @@ lines. Knots are computed in blocks of time, so that memory does not grow with t
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import cached_property, lru_cache
+from functools import cache, cached_property, lru_cache, partial
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from ...core.movement import LipSegment
 from ...core.parameters import RIVALS
 from ...core.utterance import SILENCE
 from ..intervals import EMPTY, Spans, above_line, spans_between, union
-from ..knots import BLOCK, STEEPEST, Knots, block_knots, block_number, envelope, parts
+from ..knots import BLOCK, STEEPEST, Knots, Neighbourhood, block_knots, block_number, envelope, parts
 from ..roots import find_roots
 from ..tuning import Tuning
 from .approach import Approach
@@ -190,7 +190,8 @@ class SpeechMouth:
 class KnotBlock:
     """The knots of one block of time, shape (n,), and curves on them, computed when first needed.
 
-    `shares`: the share of its request that each channel gets of each parameter (`limits`).
+    `shares`: the share of its request that each channel gets of each parameter (`limits`). `around`: the
+    so many seconds around each knot.
     """
 
     def __init__(self, mouth: SpeechMouth, knots: Array) -> None:
@@ -203,6 +204,7 @@ class KnotBlock:
         self._averages = SegmentAverages(mouth.columns, knots)
         self._curves: dict[tuple[str, str], Array] = {}
         self.shares: dict[tuple[str, str], Array] = {}
+        self.around: Callable[[float], Neighbourhood] = cache(partial(Neighbourhood, knots))
 
     def above(self, name: str, threshold: float) -> Spans:
         """Return when the segments' curve is higher than `threshold`: searched on knots, then refined."""
