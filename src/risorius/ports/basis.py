@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..core.arrays import Array, Float32Array, FloatArray
+from ..core.kernels.jit import lean_kernel
 
 TOLERANCE = 0.3  # mm by which a vertex may be off before the basis grows
 MOST = 40
@@ -49,12 +50,11 @@ class ClipBasis:
         self._waiting.clear()
         weights = np.zeros((len(rest), ROOM), np.float32)
         self._split(rest, weights)
-        frame = 0
-        while self._count < ROOM:
-            missed = np.flatnonzero(_distances(rest[frame:]).max(axis=1) > self.tolerance)
-            if not len(missed):
+        for frame in range(len(rest)):
+            if self._count == ROOM:
                 break
-            frame += int(missed[0])
+            if _distances(rest[frame : frame + 1]).max() <= self.tolerance:
+                continue
             # Once more, because the first time leaves a little of the others in it.
             direction = rest[frame : frame + 1].copy()
             self._split(direction, np.zeros((1, ROOM), np.float32))
@@ -64,7 +64,6 @@ class ClipBasis:
             weights[frame:, self._count] = share
             rest[frame:] -= share[:, None] * new
             self._count += 1
-            frame += 1
         self._weights.extend(weights)
         distances = _distances(rest)
         self._errors.append(np.stack([(distances**2).mean(axis=1), distances.max(axis=1)], axis=1))
@@ -109,5 +108,14 @@ class ClipBasis:
 
 def _distances(rest: Float32Array) -> Float32Array:
     """Return how far each vertex is off in each frame, (k, n)."""
-    squares = rest * rest
-    return np.asarray(np.sqrt(squares[:, 0::3] + squares[:, 1::3] + squares[:, 2::3]))
+    squares = np.empty((len(rest), rest.shape[1] // 3), np.float32)
+    _squares(rest, squares)
+    return np.sqrt(squares, out=squares)
+
+
+@lean_kernel
+def _squares(rest: Float32Array, out: Float32Array) -> None:
+    for f in range(len(out)):
+        for v in range(out.shape[1]):
+            x, y, z = rest[f, 3 * v], rest[f, 3 * v + 1], rest[f, 3 * v + 2]
+            out[f, v] = x * x + y * y + z * z
