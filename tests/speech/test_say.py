@@ -1,9 +1,12 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from risorius.core.utterance import Utterance
 from risorius.errors import InputError, SpeechError
 from risorius.script import read_script
-from risorius.script.anchor import parse_anchor
+from risorius.script.anchor import Anchor, Base, parse_anchor
 from risorius.script.markup import parse_markup
 from risorius.speech import say
 from risorius.speech.affect import Feeling
@@ -80,21 +83,51 @@ def test_syllables_of_a_spoken_text_know_how_high_they_are_in_their_voice(voice:
     assert heights[:2].argmax() == heights.argmax() == 1
 
 
-def test_what_an_emotion_does_not_colour_is_spoken_once(monkeypatch: pytest.MonkeyPatch) -> None:
+def same(one: Utterance, two: Utterance) -> bool:
+    """Whether two utterances say the same with the same sound."""
+    sounds = (np.concatenate(list(said.audio.blocks())) for said in (one, two))
+    return replace(one, audio=two.audio) == two and np.array_equal(*sounds)
+
+
+SENTENCES = ["The first is plain.", "The second is sad.", "The third is plain."]
+
+
+@pytest.fixture
+def requests(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """What the engine is asked to speak from now on."""
     engine, asked = load_engine(), []
     speak = type(engine).speak
 
     def counted(self: SpeechEngine, request: SpeechRequest) -> Rendition:
-        asked.append(request.text)
+        asked.append(request.text.strip())
         return speak(self, request)
 
     monkeypatch.setattr(type(engine), "speak", counted)
-    script = read_script("The first is plain. The second is sad. The third is plain.", text=True)
-    sad = Feeling({"sadness": 0.9}, parse_anchor("start", "word:5"), parse_anchor("end", "word:6"))
+    return asked
+
+
+def test_an_emotion_over_words_is_spoken_once_with_the_same_sound(requests: list[str]) -> None:
+    script = read_script(" ".join(SENTENCES), text=True)
+    sad = Feeling({"sadness": 0.9}, parse_anchor("start", "word:5"), parse_anchor("end", "word:6.end"))
     said = say(script, felt=[sad])
-    plain, coloured = (
-        ["The first is plain.", "The second is sad.", "The third is plain."],
-        "The second is sad.",
-    )
-    assert [text.strip() for text in asked] == [*plain, coloured]
-    assert said.words[7].end != pytest.approx(say(script).words[7].end, abs=1e-3)
+    assert requests == SENTENCES
+    plain = say(script)
+    first, last = plain.words[4].start, plain.words[5].end
+    timed = replace(sad, start=Anchor(Base.START, first), end=Anchor(Base.START, last))
+    assert same(say(script, felt=[timed]), said)
+    assert said.words[7].end != pytest.approx(plain.words[7].end, abs=1e-3)
+
+
+def test_an_emotion_between_two_times_speaks_only_what_it_colours_twice(requests: list[str]) -> None:
+    script = read_script(" ".join(SENTENCES), text=True)
+    sad = Feeling({"sadness": 0.9}, parse_anchor("start", "2.2"), parse_anchor("end", "3"))
+    say(script, felt=[sad])
+    assert requests == [*SENTENCES, SENTENCES[1]]
+
+
+def test_words_without_a_sound_do_not_count_where_an_emotion_is_placed() -> None:
+    script = read_script("One ៛ two three.", text=True)
+    sad = Feeling({"sadness": 1.0}, parse_anchor("start", "word:3"))
+    plain = say(script)
+    timed = replace(sad, start=Anchor(Base.START, plain.words[2].start))
+    assert same(say(script, felt=[sad]), say(script, felt=[timed]))

@@ -8,11 +8,16 @@ from itertools import groupby
 
 from ..core.directions import DirectedSpan
 from ..core.manner import PLAIN, Manner
-from ..core.utterance import Utterance, Word
+from ..core.utterance import Word
+from ..languages import Language
 from ..rules.emotions import Display
 from ..rules.voice_emotion import voice_manner
 from ..script import Anchor, Script, SpokenLine
 from ..script.anchor import Base
+from .text.tokens import tokenize, with_words
+
+# Seconds of a word that is not spoken yet.
+_STEP = 0.001
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,11 +34,16 @@ class Feeling:
         from_start = self.start is None or (self.start.base is Base.START and self.start.seconds == 0.0)
         return from_start and (self.end is None or (self.end.base is Base.END and self.end.seconds >= 0.0))
 
-    def holds(self, word: Word, utterance: Utterance) -> bool:
-        """Tell whether the middle of a word lies within."""
+    @property
+    def by_words(self) -> bool:
+        """Whether the words' order alone says which of them lie within: both ends are edges of words."""
+        return all(anchor is None or anchor.seconds == 0.0 for anchor in (self.start, self.end))
+
+    def holds(self, word: Word, words: Sequence[Word], duration: float) -> bool:
+        """Tell whether the middle of a word, one of `words` in `duration` seconds, lies within."""
         middle = 0.5 * (word.start + word.end)
-        start = 0.0 if self.start is None else self.start.resolve(utterance.words, utterance.duration)
-        end = None if self.end is None else self.end.resolve(utterance.words, utterance.duration)
+        start = 0.0 if self.start is None else self.start.resolve(words, duration)
+        end = None if self.end is None else self.end.resolve(words, duration)
         return start <= middle and (end is None or middle < end)
 
 
@@ -55,10 +65,20 @@ def common_manner(felt: Sequence[Feeling]) -> Manner | None:
     return _manner(felt)
 
 
-def coloured(script: Script, felt: Sequence[Feeling], plain: Utterance) -> Script:
-    """Return the script with each word's manner, found where `plain`, the same without emotion, has it."""
-    manners = [_manner([f for f in felt if f.holds(word, plain)]) for word in plain.words]
-    return replace(script, lines=tuple(_coloured_line(line, plain.words, manners) for line in script.lines))
+def coloured(script: Script, felt: Sequence[Feeling], words: Sequence[Word], duration: float) -> Script:
+    """Return the script with each word's manner, found where `words` are, spoken plainly in `duration` s."""
+    manners = [_manner([f for f in felt if f.holds(word, words, duration)]) for word in words]
+    return replace(script, lines=tuple(_coloured_line(line, words, manners) for line in script.lines))
+
+
+def written_words(script: Script, language: Language) -> tuple[Word, ...]:
+    """Return the words of a script that is not spoken yet: in their order, but a millisecond each."""
+    texts = ((line.source_offset, tokenize(line.text)) for line in script.lines)
+    tokens = [(start, token) for start, own in texts for token in with_words(own, language.words)]
+    return tuple(
+        Word(token.text, number * _STEP, (number + 1) * _STEP, 0, 0, start + token.start, start + token.end)
+        for number, (start, token) in enumerate(tokens)
+    )
 
 
 def _coloured_line(line: SpokenLine, words: Sequence[Word], manners: Sequence[Manner]) -> SpokenLine:

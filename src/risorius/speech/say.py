@@ -23,12 +23,13 @@ from ..core.utterance import (
     Word,
 )
 from ..errors import InputError, SpeechError
+from ..languages import Language
 from ..script import Script, SpokenLine
-from .affect import Feeling, coloured, common_manner
+from .affect import Feeling, coloured, common_manner, written_words
 from .engines.registry import is_voice_file
 from .engines.voices import find_voice
 from .prosody.measure import pitched
-from .synthesis import synthesize, voice_pitch
+from .synthesis import synthesize, voice_language, voice_pitch
 from .text.tokens import is_speakable
 
 VOICE_SETTINGS = ("voice", "language", "rate", "lead", "tail", "answers")
@@ -90,9 +91,8 @@ def say(
         if manner is not None:
             said = _speak(script, partial(speak, manner=manner))
         else:
-            # Where the words are is known once they are spoken; only what is coloured is spoken again.
             speak = partial(speak, spoken={})
-            said = _speak(coloured(script, felt, _speak(script, speak)), speak)
+            said = _speak_coloured(script, felt, speak, voice_language(voice, spoken))
         hertz = voice_pitch(voice, spoken)
         raised = 0.0 if manner is None else manner.pitch
         return pitched(said, None if hertz is None else hertz * 2.0 ** (raised / _SEMITONES))
@@ -113,6 +113,23 @@ def _answering(script: Script, question: str) -> Script:
 
 def _tell(progress: Progress, share: float) -> None:
     progress("Speaking …", round(100 * share), 100)
+
+
+def _speak_coloured(script: Script, felt: Sequence[Feeling], speak: Speaker, language: Language) -> Utterance:
+    """Speak a script with emotions that colour a part of it.
+
+    Edges of words are known before anything is spoken. A time is one of the plain voice, whose rate emotions
+    change: then it is spoken plainly, and what is coloured once more.
+    """
+    if all(feeling.by_words for feeling in felt):
+        words = written_words(script, language)
+        said = _speak(coloured(script, felt, words, words[-1].end if words else 0.0), speak)
+        if [word.source_start for word in said.words] == [word.source_start for word in words]:
+            return said
+        plain = said  # a word has no sound, and does not count
+    else:
+        plain = _speak(script, speak)
+    return _speak(coloured(script, felt, plain.words, plain.duration), speak)
 
 
 def _speak(script: Script, speak: Speaker) -> Utterance:

@@ -114,6 +114,11 @@ def voice_pitch(voice: str | None, language: str | None) -> float | None:
     return engine.mean_pitch(chosen)
 
 
+def voice_language(voice: str | None, language: str | None) -> Language:
+    """Return the language of the voice that `synthesize` uses."""
+    return language_of(_voice(voice, language, None)[1].language)
+
+
 def _voice(name: str | None, language: str | None, engine: SpeechEngine | None) -> tuple[SpeechEngine, Voice]:
     if engine is None and name is not None and is_voice_file(name):
         engine = load_voice_file(name, language)
