@@ -8,7 +8,7 @@ import pytest
 
 import risorius
 from risorius.core.links import Link
-from risorius.errors import RisoriusError
+from risorius.errors import InputError, RisoriusError
 from risorius.face.links import link_rows
 from risorius.pipeline import with_profile
 from risorius.rules.doctor import examine
@@ -158,3 +158,10 @@ def test_the_doctor_examines_entries(text: str, message: str) -> None:
     (finding,) = examine(rule_set(text))
     assert message in str(finding)
     assert str(finding).startswith("mine.toml:")
+
+
+def test_the_shape_of_a_diphthong_is_asked_for_by_its_parts():
+    with pytest.raises(InputError, match="the diphthong 'OW' has two shapes; expected 'AO' or 'UH'"):
+        lip_table().shape("OW")
+    with pytest.raises(InputError, match="unknown phone 'OWW'; did you mean 'OW'"):
+        lip_table().shape("OWW")

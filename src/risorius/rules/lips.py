@@ -153,11 +153,13 @@ class LipTable:
     rest: PhoneShape = field(default_factory=lambda: PhoneShape("silence", FrozenDict()))
 
     def shape(self, symbol: str) -> PhoneShape:
-        """Return a phone's shape; raise InputError for a phone that the table does not have."""
-        try:
+        """Return a phone's shape; raise InputError for a diphthong, and for a phone that the table lacks."""
+        if symbol in self.phones:
             return self.phones[symbol]
-        except KeyError:
-            raise InputError(unknown("phone", symbol, (*self.phones, *self.diphthongs))) from None
+        if symbol in self.diphthongs:
+            first, second = self.diphthongs[symbol].parts
+            raise InputError(f"the diphthong {symbol!r} has two shapes; expected {first!r} or {second!r}")
+        raise InputError(unknown("phone", symbol, (*self.phones, *self.diphthongs)))
 
     def at_onset(self, shape: PhoneShape) -> PhoneShape:
         """Return the shape of a phone at the start of a word or of a stressed syllable."""
