@@ -161,7 +161,7 @@ def test_the_doctor_examines_entries(text: str, message: str) -> None:
 
 
 def test_the_shape_of_a_diphthong_is_asked_for_by_its_parts():
-    with pytest.raises(InputError, match="the diphthong 'OW' has two shapes; expected 'AO' or 'UH'"):
+    with pytest.raises(InputError, match="the diphthong 'OW' has two shapes; expected 'AO' or 'UW'"):
         lip_table().shape("OW")
     with pytest.raises(InputError, match="unknown phone 'OWW'; did you mean 'OW'"):
         lip_table().shape("OWW")
