@@ -10,7 +10,7 @@ import argparse
 
 import numpy as np
 
-from risorius.core.articulators import CONTROLS
+from risorius.core.articulators import FITTED
 from risorius.core.lip_rig import MEASURES
 from risorius.face.head import FORMAT, load_head, shipped_heads
 from risorius.face.lip_file import FILE
@@ -27,10 +27,10 @@ def main() -> None:
         head = load_head(name)
         rig, mouth = fit(head), MeasuredMouth(head)
         draw = np.random.default_rng(1)
-        settings = draw.random((CHECKS, len(CONTROLS))) * [LARGEST[control] for control in CONTROLS]
+        settings = draw.random((CHECKS, len(FITTED))) * [LARGEST[control] for control in FITTED]
         settings[draw.random(settings.shape) < AT_REST] = 0.0
-        rows = [dict(zip(CONTROLS, row, strict=True)) for row in settings.tolist()]
-        expected = dict(zip(CONTROLS, settings.T, strict=True))
+        rows = [dict(zip(FITTED, row, strict=True)) for row in settings.tolist()]
+        expected = dict(zip(FITTED, settings.T, strict=True))
         measured = np.array([mouth.measure(row) for row in rows]).T
         errors = (
             float(np.abs(rig.passive(measure, expected) - column).max())

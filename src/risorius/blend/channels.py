@@ -27,6 +27,7 @@ class Channel:
 
     `on_top`: these curves are of movements that add to what the others leave. `stratum`: they are of one
     layer, which conflicts with another. The rest of the channel is another Channel of the same name.
+    `harmless`: the parameters in which it inhibits no rival.
     """
 
     name: str
@@ -34,6 +35,7 @@ class Channel:
     curves: dict[str, list[Curve]]
     on_top: bool = False
     stratum: str | None = None
+    harmless: frozenset[str] = frozenset()
     _above: dict[tuple[str, float], Spans] = field(default_factory=dict, init=False)
 
     @property
@@ -86,10 +88,11 @@ def compile_channels(
         parts: list[Channel] = []
         for on_top in (False, True):
             together = [layer for key, layer in layers.items() if key[0] is on_top and key not in strata]
-            curves = _layered(together)
+            curves, harmless = _layered(together), frozenset[str]()
             if name == "lips" and lips is not None and not on_top:
+                harmless = lips.harmless - set(curves)
                 curves = _joined({p: [LipCurve(lips, p)] for p in lips.parameters}, curves)
-            parts.append(Channel(name, levels, curves, on_top))
+            parts.append(Channel(name, levels, curves, on_top, harmless=harmless))
         parts += [Channel(name, own, _layered([layers[k]]), *k) for k, own in strata.items()]
         for part in parts:
             curves = part.curves if name == "manual" else _under(replaced, part.curves)

@@ -80,7 +80,7 @@ class PolicyInputs:
             (other, above, rival)
             for rival in RIVALS[parameter]
             for other in self.channels
-            if other is not channel and rival in other.curves
+            if other is not channel and rival in other.curves and rival not in other.harmless
             for above in other.levels.distinct
             if above > (level if other.name == channel.name else level + ONE_PRIORITY)
         ]

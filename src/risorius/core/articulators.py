@@ -41,13 +41,19 @@ ARTICULATORS: Mapping[str, Articulator] = MappingProxyType(
                 APERTURE,
                 -6.0,
                 32.0,
-                ("depressor_labii", "orbicularis_oris_presser", "mentalis", "lip_seal"),
+                (
+                    "depressor_labii",
+                    "orbicularis_oris_presser",
+                    "mentalis",
+                    "lip_seal",
+                    "levator_labii_superioris",
+                ),
             ),
             # From corner to corner, against rest.
             Articulator(WIDTH, -16.0, 10.0, ("zygomatic_major", "risorius")),
             # How far the middle of both lips comes forward.
             Articulator(PROTRUSION, -8.0, 6.0, ("orbicularis_oris_funneler",)),
-            # How far the upper lip is raised beyond its part in the aperture.
+            # How far the upper lip is raised beyond its third of what the lips open.
             Articulator(UPPER, 0.0, 4.0, ("levator_labii_superioris",)),
             # How far the corners are raised.
             Articulator(CORNERS, -4.0, 4.0, ("triangularis",)),
@@ -58,7 +64,7 @@ ARTICULATORS: Mapping[str, Articulator] = MappingProxyType(
 CONTROLS: Mapping[str, Mapping[str, float]] = MappingProxyType(
     {
         "jaw": {"masseter": 1.0},
-        "open": {"depressor_labii": 1.0, "levator_labii_superioris": 0.25},
+        "open": {"depressor_labii": 1.0},
         "upper": {"levator_labii_superioris": 1.0},
         "round": {"orbicularis_oris_funneler": 1.0},
         # Not the risorius: beside a triangularis, which pulls in nearly the same direction, it does not widen
@@ -68,7 +74,12 @@ CONTROLS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "lower": {"triangularis": 1.0},
     }
 )
-"""The variables of a head's fit: each control moves some muscles, on both sides, by their factors."""
+"""Each control moves some muscles, on both sides, by their factors."""
+
+FITTED: Mapping[str, Mapping[str, float]] = MappingProxyType(
+    {**CONTROLS, "open": {"depressor_labii": 1.0, "levator_labii_superioris": 0.25}}
+)
+"""The variables of a head's fit. There the lower lip opens together with the upper one, as it mostly does."""
 
 SEAL_MM = 8.0
 """mm that a seal (`lip_seal`) of 1 takes from a gap; it shuts any (DESIGN, section 2)."""
@@ -84,8 +95,13 @@ def leader(parameter: str) -> str:
     return _LEADERS.get(parameter, parameter)
 
 
+# What follows two articulators is led by the first of them.
 _LEADERS = {
-    p.name: a.name for a in ARTICULATORS.values() for base in a.follow for p in PARAMETERS if p.base == base
+    p.name: a.name
+    for a in reversed(list(ARTICULATORS.values()))
+    for base in a.follow
+    for p in PARAMETERS
+    if p.base == base
 }
 
 

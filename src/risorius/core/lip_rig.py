@@ -5,8 +5,9 @@ width, protrusion, height of the upper lip and of the corners. The rig inverts t
 that each control is determined by one measure:
 
     jaw by the chin's drop; round by the protrusion; spread by the width (or more round, if the mouth must be
-    narrower than its rounding makes it); lift or lower by the corners; upper by the upper lip; open by the
-    gap that is then missing. Contact (`lip_seal`) closes a gap that is too wide.
+    narrower than its rounding makes it); lift or lower by the corners; upper by the upper lip, which takes a
+    third of what the gap is wider than the chin's drop; open by the gap that is then missing. Contact
+    (`lip_seal`) closes a gap that is too wide.
 
 Width, protrusion and corners are blended as *additions* to the effects of the jaw and the opening lips, so
 that phones without such targets leave these muscles at exactly 0.
@@ -17,6 +18,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
+from itertools import product
 
 import numpy as np
 
@@ -26,6 +28,7 @@ from .articulators import (
     ARTICULATORS,
     CONTROLS,
     CORNERS,
+    FITTED,
     JAW,
     PRESSING,
     PROTRUSION,
@@ -42,7 +45,7 @@ Averages = Callable[[str], Array]
 
 _CONTROLS_OF: Mapping[str, tuple[str, ...]] = {
     JAW: ("jaw",),
-    APERTURE: ("open",),
+    APERTURE: ("open", "upper"),
     WIDTH: ("round", "spread"),
     PROTRUSION: ("round", "spread"),
     UPPER: ("upper",),
@@ -72,6 +75,10 @@ PARTED = 2.0
 """mm of gap over which the lips' own opening, or their contact, takes over from what the jaw opens."""
 SEAL_ROUNDED = 0.05
 """Of a seal: how near it comes to what a wide gap allows before it turns."""
+RAISED = 0.25
+"""How far the upper lip's border, which the fit measures, rises for each mm that the lips open beyond the
+chin's drop. Its inner edge then rises by a third, and the lower lip has the rest (facts: lips-motion, 9)."""
+RAISER = "levator_labii_superioris"
 _LEAST_EFFECT = 0.6
 """mm of gap: `open` is taken to have at least this effect at first, a seventh of its effect at rest."""
 _Targets = tuple[tuple[str, float], ...]
@@ -83,7 +90,7 @@ _HELPING = 0.95 * DEFAULT_THRESHOLD
 
 @dataclass(frozen=True, eq=False)
 class LipRig:
-    """The fit of one head: measure = Σ coefficients · the product of each term's controls.
+    """The lips of one head: measure = Σ coefficients · the product of each term's controls.
 
     `terms` (k, 3): indices into the controls, filled up with `NONE`; `coefficients` (k, 6), mm, one column
     per measure.
@@ -172,10 +179,7 @@ class LipRig:
             for name, sign in (("lift", 1.0), ("lower", -1.0)):
                 powers = self._along(CORNERS, name, {"jaw": jaw})
                 controls[name] = _solve(powers, positive_part(sign * corners, ROUNDED) * sign)
-        if UPPER in articulators:
-            controls["upper"] = _solve(
-                self._along(UPPER, "upper", {"jaw": jaw}), positive_part(average(UPPER), ROUNDED)
-            )
+        controls["upper"] = self._raised(controls, average, articulators)
         powers = self._along(APERTURE, "open", controls)
         missing = average(APERTURE) - powers[0]
         # Beside a low jaw and rounding the fit finds little effect at first: a small gap would need a leap.
@@ -193,12 +197,23 @@ class LipRig:
             control: np.add.reduce([values[p.name] / len(BASES[b]) for b in bases for p in BASES[b]])
             for control, bases in _OPENED_BY.items()
         }
-        raised = controls["upper"] - CONTROLS["open"]["levator_labii_superioris"] * controls["open"]
-        controls["upper"] = np.clip(raised, 0.0, 1.0)
+        controls["upper"] = np.minimum(controls["upper"], 1.0)
         return self.passive(APERTURE, controls)
 
     def _jaw(self, drop: Array) -> Array:
         return _solve(self._along(JAW, "jaw", {}), positive_part(drop, ROUNDED))
+
+    def _raised(
+        self, controls: Mapping[str, Array], average: Averages, articulators: Collection[str]
+    ) -> Array:
+        """Return `upper`: the upper lip has its part in the lips' own opening, and its own raise.
+
+        The ring muscle keeps it from the former, the more the rounder the lips.
+        """
+        opened = positive_part(average(APERTURE) - average(JAW), ROUNDED)
+        opened = opened * (1.0 - controls.get("round", 0.0)) ** 2
+        own = positive_part(average(UPPER), ROUNDED) if UPPER in articulators else 0.0
+        return _solve(self._along(UPPER, "upper", {"jaw": controls["jaw"]}), RAISED * opened + own)
 
     def _rounded(self, controls: Mapping[str, Array], width: Array, protrusion: Array) -> tuple[Array, Array]:
         """Return `round` and `spread`: the first from the protrusion, the second from the remaining width.
@@ -226,6 +241,21 @@ class LipRig:
                 value = value * others[name]
             powers[power] = powers[power] + value
         return powers
+
+
+def rig_of_fit(terms: Int64Array, coefficients: Array) -> LipRig:
+    """Return the rig of a fit, whose variables are those of `FITTED`: what each raises beside its own."""
+    names, rows = list(CONTROLS), [tuple(sorted(term)) for term in terms.tolist()]
+    upper, opening = names.index("upper"), names.index("open")
+    # Of a fit's `upper` is missing what its `open` raises.
+    instead = {upper: ((upper, 1.0), (opening, -FITTED["open"][RAISER]))}
+    number = {row: k for k, row in enumerate(rows)}
+    own = np.zeros_like(coefficients)
+    for row, factors in zip(rows, coefficients, strict=True):
+        for picked in product(*(instead.get(control, ((control, 1.0),)) for control in row)):
+            term = tuple(sorted(control for control, _ in picked))
+            own[number[term]] += np.prod([share for _, share in picked]) * factors
+    return LipRig(terms, own)
 
 
 def seal_of(closed: Array, left: Array) -> Array:

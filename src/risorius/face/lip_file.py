@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.lip_rig import DEGREE, MEASURES, NONE, LipRig
+from ..core.lip_rig import DEGREE, MEASURES, NONE, LipRig, rig_of_fit
 from .head_file import HeadFile
 from .head_folder import head_file
 
@@ -37,4 +37,4 @@ def _read(path: Path, changed: int) -> LipRig:
     file = HeadFile.read(path)
     coefficients = file.array("coefficients", ("k", len(MEASURES)))
     terms = file.indices("terms", (len(coefficients), DEGREE), NONE + 1)
-    return LipRig(terms.astype(np.int64), coefficients)
+    return rig_of_fit(terms.astype(np.int64), coefficients)

@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 
 from ..core.arrays import Array, Int64Array
-from ..core.articulators import APERTURE, CONTROLS
-from ..core.lip_rig import DEGREE, MEASURES, NONE, LipRig
+from ..core.articulators import APERTURE, FITTED
+from ..core.lip_rig import DEGREE, MEASURES, NONE, LipRig, rig_of_fit
 from ..core.parameters import BASES, INDEX, NEUTRAL
 from .head import Head, load_head
 from .measure import CORNERS, Gauge
@@ -29,17 +29,18 @@ _UPPER_LIP = 51  # iBUG
 
 @lru_cache(maxsize=8)
 def fitted(file: Path, changed: int) -> LipRig:
-    """Return the fit of the head in a file that was changed at a time (ns)."""
-    return fit(load_head(file))
+    """Return the rig of the head in a file that was changed at a time (ns), fitted to it."""
+    found = fit(load_head(file))
+    return rig_of_fit(found.terms, found.coefficients)
 
 
 def fit(head: Head) -> LipRig:
     """Return the least-squares fit over random settings of the controls, the same for the same head."""
     mouth = MeasuredMouth(head)
     draw = np.random.default_rng(0)
-    settings = draw.random((SAMPLES, len(CONTROLS))) * [LARGEST[name] for name in CONTROLS]
+    settings = draw.random((SAMPLES, len(FITTED))) * [LARGEST[name] for name in FITTED]
     settings[draw.random(settings.shape) < AT_REST] = 0.0
-    measured = np.array([mouth.measure(dict(zip(CONTROLS, row, strict=True))) for row in settings.tolist()])
+    measured = np.array([mouth.measure(dict(zip(FITTED, row, strict=True))) for row in settings.tolist()])
     terms = _terms()
     products = np.prod(np.append(settings, np.ones((SAMPLES, 1)), axis=1)[:, terms], axis=2)
     coefficients = np.linalg.lstsq(products, measured, rcond=None)[0]
@@ -52,7 +53,7 @@ def fit(head: Head) -> LipRig:
 
 def _terms() -> Int64Array:
     """Return all products of up to two controls, and of up to three curved ones; shape (k, 3)."""
-    every, curved = range(len(CONTROLS)), [list(CONTROLS).index(name) for name in _CURVED]
+    every, curved = range(len(FITTED)), [list(FITTED).index(name) for name in _CURVED]
     terms = [t for n in (1, 2) for t in combinations_with_replacement(every, n)]
     terms += combinations_with_replacement(curved, DEGREE)
     return np.array([(*t, *[NONE] * (DEGREE - len(t))) for t in terms])
@@ -70,7 +71,7 @@ class MeasuredMouth:
         """Return `MEASURES` (6,) for controls 0..1."""
         values = NEUTRAL.copy()
         for name, amount in controls.items():
-            for base, factor in CONTROLS[name].items():
+            for base, factor in FITTED[name].items():
                 for p in BASES[base]:
                     values[INDEX[p.name]] += amount * factor
         return self.measure_values(np.minimum(values, 1.0))

@@ -10,9 +10,10 @@ import pytest
 
 from risorius import blend
 from risorius.blend.conflict import POLICIES
-from risorius.core.movement import Movement
+from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX
 from risorius.core.score import BlendSettings, Score
+from risorius.face.lip_file import load_lip_rig
 
 SMILE, ROUND = "zygomatic_major.left", "orbicularis_oris_funneler"
 MINIMUM = 0.25
@@ -189,3 +190,22 @@ def test_attenuate_adds_channels_and_clips() -> None:
     assert peak(shown, signal) == pytest.approx(0.9)
     assert peak(replace(shown, targets={frown: 0.8}), signal) == 1.0
     assert peak(shown, twice) == 0.4
+
+
+RAISER = "levator_labii_superioris.left"
+
+
+@pytest.mark.parametrize("policy", ["inhibit", "graded", "attenuate"])
+def test_the_upper_lip_of_an_open_vowel_takes_nothing_from_a_smile(policy: str) -> None:
+    """It is a part of the lips' opening; a score that names the muscle has Table 2's conflict."""
+    smiles = Movement("emotion", 0.0, 4.0, 0.3, 0.3, {SMILE: 0.9})
+    opened = {"jaw_drop": 8.4, "lip_aperture": 15.0}
+
+    def shown(targets: dict[str, float]) -> np.ndarray:
+        lips = (LipSegment("AE", 0.5, 3.5, targets),)
+        both = Score(4.0, (smiles,), lips, settings=BlendSettings(conflict=policy))
+        return blend.at(both, np.array([2.0]), load_lip_rig())[0]
+
+    assert shown(opened)[INDEX[RAISER]] > 0.2
+    assert shown(opened)[INDEX[SMILE]] == pytest.approx(0.9)
+    assert shown({RAISER: 0.3})[INDEX[SMILE]] < 0.85

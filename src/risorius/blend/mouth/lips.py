@@ -9,9 +9,9 @@ import numpy as np
 
 from ...core.arrays import Array, IndexArray
 from ...core.articulators import ARTICULATORS
-from ...core.lip_rig import LipRig
+from ...core.lip_rig import RAISER, LipRig
 from ...core.movement import Dominance, LipSegment
-from ...core.parameters import PARAMETERS, Kind
+from ...core.parameters import BASES, PARAMETERS, Kind
 from ...core.score import Score
 from ...core.utterance import SILENCE
 from ...errors import InputError
@@ -68,6 +68,15 @@ class CompiledLips:
         if one not in self.parameters and two not in self.parameters:
             return True
         return self.mouth.shapes.by_rig(one) and self.mouth.shapes.by_rig(two)
+
+    @cached_property
+    def harmless(self) -> frozenset[str]:
+        """The muscles that raise the upper lip for its part in the lips' opening: they inhibit no display.
+
+        The pairs of paper A, Table 2 are muscles that pull against each other; a smiling mouth says /a/ with
+        both. A score that names the muscle itself keeps the conflict.
+        """
+        return frozenset(p.name for p in BASES[RAISER] if self.mouth.shapes.by_rig(p.name))
 
     @cached_property
     def alone(self) -> Mapping[str, Array]:
