@@ -164,7 +164,11 @@ class Take:
                 raise InputError(f"frame {index!r} is not in the performance; expected 0 to {frames - 1}")
 
     def _curves_between_frames(self, times: Array) -> Array:
-        return self._plan.at(np.minimum(times, self.performance.times[-1]))
+        """Return the curves (n, 46) at ascending times (n,); beyond the end they stay."""
+        end = self.performance.times[-1]
+        before = int(np.searchsorted(times, end))
+        values = self._plan.at(np.minimum(times[: before + 1], end))
+        return values[np.minimum(np.arange(len(times)), before)]
 
     def pictures(
         self, size: Size | str | None = None, indices: Sequence[int] | None = None, progress: Progress = quiet

@@ -58,6 +58,11 @@ def test_vertices_beside_the_other_sheet_touch_nothing():
 def test_the_narrowest_contact_about_each_place():
     x = np.array([-2.0, -1.9, 0.0, 0.1, 2.0])
     gap = np.array([0.5, 0.3, 0.2, 0.4, 0.9])
-    assert narrowest(-2.0, 2.0, 5, 0.5, x, gap).tolist() == [1, 2, 2, 2, 4]
-    assert narrowest(2.0, -2.0, 5, 0.5, x, gap).tolist() == [4, 2, 2, 2, 1]
-    assert narrowest(-2.0, 2.0, 5, 0.1, x[:2], gap[:2]).tolist() == [1, -1, -1, -1, -1]
+    for start, width, count, wanted in (
+        (-2.0, 0.5, 5, [1, 2, 2, 2, 4]),
+        (2.0, 0.5, 5, [4, 2, 2, 2, 1]),
+        (-2.0, 0.1, 2, [1, -1, -1, -1, -1]),
+    ):
+        nearest = np.zeros(5, np.int32)
+        narrowest(start, -start, width, x, gap, count, nearest)
+        assert nearest.tolist() == wanted

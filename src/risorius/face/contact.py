@@ -12,9 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..core.arrays import Array, BoolArray, Int32Array, Int64Array, IntArray
+from ..core.arrays import Array, BoolArray, Int32Array, IntArray
 from ..core.kernels.four import EVERY_LANE, LANES, four_at, lanes_above
-from ..core.kernels.jit import i8, inlined, kernel, lean_device, lean_kernel
+from ..core.kernels.jit import i8, inlined, lean_device, lean_kernel
 
 Grid = tuple[float, float, float, float]
 
@@ -235,19 +235,61 @@ def _meet(s: int, t: int, sign: float, points: Array, triangles: IntArray, place
         places.found[s, 0], places.found[s, 1], places.found[s, 2], places.nearest[s] = y, wb, wc, t
 
 
-@kernel
-def narrowest(start: float, end: float, places: int, width: float, x: Array, gap: Array) -> Int64Array:
-    """Return the contact with the narrowest gap around each of `places` even places from `start` to `end`.
+@lean_kernel
+def keep_tight(
+    contacts: Contacts,
+    count: int,
+    near: float,
+    bounds: tuple[float, float],
+    slack: float,
+    ends: Array,
+    width: float,
+    nearest: Int32Array,
+    high: Array,
+) -> int:
+    """Keep of the first `count` contacts those that are narrower than `near` mm or must be; return how many.
 
-    −1 if there is none. `width`: the share of the whole that counts as around a place; `x` mm and `gap` (k,):
-    those of the contacts.
+    A gap must not be below the first of the `bounds` (mm), and the narrowest one about each place between
+    `ends` (2, 4) not above the second, where that is finite (see `narrowest`); `high` (k,) is written, the
+    upper bound of each gap that is kept. If no gap is out of its bounds by more than `slack`, none is kept.
     """
-    nearest = np.full(places, -1)
+    low, widest = bounds
+    for k in range(count):
+        high[k] = np.inf
+    if widest < np.inf:
+        narrowest(ends[0, 0], ends[1, 0], width, contacts.x, contacts.gap, count, nearest)
+        for p in range(len(nearest)):
+            if nearest[p] >= 0:
+                high[nearest[p]] = widest
+    kept, wrong = 0, False
+    for k in range(count):
+        gap = contacts.gap[k]
+        wrong |= gap < low - slack or gap > high[k] + slack
+        if gap < near or high[k] < np.inf:
+            contacts.gap[kept], high[kept] = gap, high[k]
+            for a in range(4):
+                contacts.points[kept, a] = contacts.points[k, a]
+                contacts.weight[kept, a] = contacts.weight[k, a]
+            kept += 1
+    return kept if wrong else 0
+
+
+@lean_device
+def narrowest(
+    start: float, end: float, width: float, x: Array, gap: Array, count: int, nearest: Int32Array
+) -> None:
+    """Write the contact with the narrowest gap about each even place from `start` to `end` to `nearest`.
+
+    −1 if there is none. `width`: the share of the whole that counts as around a place; `x` mm and `gap`:
+    those of the `count` contacts.
+    """
+    places = len(nearest)
+    for p in range(places):
+        nearest[p] = -1
     step = (end - start) / (places - 1)
     reach = 0.5 * width * (places - 1)  # in steps
-    for k in range(len(x)):
+    for k in range(count):
         place = (x[k] - start) / step
         for p in range(max(math.ceil(place - reach), 0), min(math.floor(place + reach), places - 1) + 1):
             if nearest[p] < 0 or gap[k] < gap[nearest[p]]:
                 nearest[p] = k
-    return nearest

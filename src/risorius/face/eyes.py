@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from ..core.arrays import Array
-from .rotations import direction, forward_to
+from .rotations import forward_rows, towards
 
 MM_PER_M = 1000.0
 
@@ -19,12 +19,14 @@ def eye_rotations(centres: Array, pitch: float, yaw: float, distance: float) -> 
     subject's left positive, are those of a single eye at the origin; `distance` in m is that of the point
     on which the eyes converge. No torsion (Listing's law).
     """
-    towards = direction(pitch, yaw) * (distance * MM_PER_M) - centres
-    rotations = np.empty((2, 3, 3))
-    for eye, (x, y, z) in enumerate(towards.tolist()):
-        far = math.sqrt(x * x + y * y + z * z)
-        rotations[eye] = forward_to((x / far, y / far, z / far))
-    return rotations
+    far = distance * MM_PER_M
+    to_point = towards(pitch, yaw)
+    rows = []
+    for centre in centres.tolist():
+        x, y, z = (far * there - here for there, here in zip(to_point, centre, strict=True))
+        length = math.sqrt(x * x + y * y + z * z)
+        rows.append(forward_rows(x / length, y / length, z / length))
+    return np.array(rows)
 
 
 def pitch_and_yaw(rotation: Array) -> tuple[float, float]:

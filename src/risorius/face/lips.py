@@ -9,10 +9,10 @@ from __future__ import annotations
 import numpy as np
 import scipy.sparse as sp
 
-from ..core.arrays import Array, Int64Array
+from ..core.arrays import Array
 from ..core.articulators import SEAL_MM, WIDEST_MM
 from .complementarity import Gaps, Workspace, solve_gaps
-from .contact import Contacts, find_contacts, narrowest
+from .contact import Contacts, find_contacts, keep_tight
 from .head import Head
 from .jaw import Jaw
 from .mouth import OVERLAP, Mouth, TeethEdge
@@ -78,6 +78,7 @@ class Lips:
         self._contacts = Contacts.allocate(most)
         self._work = Workspace.allocate(most, len(rest))
         self._low, self._high = np.full(most, -OVERLAP), np.full(most, np.inf)
+        self._narrowest = np.zeros(PLACES, np.int32)
         self._force = np.zeros(len(rest))
         self._sums = np.empty(len(self._plate.region))
 
@@ -143,25 +144,17 @@ class Lips:
 
     def _push_apart(self, skin: Array, opening: float) -> bool:
         """Push along y until no gap overlaps or is wider than `opening` mm; return False if none did."""
-        points = self._matrix.times(skin, self._points)
-        contacts = self._contacts
-        count = find_contacts(self._facing, points, NEAR if opening >= WIDEST_MM else np.inf, contacts)
-        low, high, gap = self._low[:count], self._high[:count], contacts.gap[:count]
-        high[:] = np.inf
-        if opening < WIDEST_MM:
-            high[self._narrowest(points, count)] = opening
-        if not ((gap < low - SLACK) | (gap > high + SLACK)).any():
+        points, contacts = self._matrix.times(skin, self._points), self._contacts
+        free = opening >= WIDEST_MM
+        count = find_contacts(self._facing, points, NEAR if free else np.inf, contacts)
+        ends = self._ends.times(points, self._corners)
+        bounds = -OVERLAP, np.inf if free else opening
+        count = keep_tight(contacts, count, NEAR, bounds, SLACK, ends, WIDTH, self._narrowest, self._high)
+        if count == 0:
             return False
-        rows = np.flatnonzero((gap < NEAR) | (high < np.inf))
         self._force[:] = 0.0
-        gaps = Gaps(contacts.points[rows], contacts.weight[rows], gap[rows], low[rows], high[rows])
+        tight = contacts.points[:count], contacts.weight[:count], contacts.gap[:count]
+        gaps = Gaps(*tight, self._low[:count], self._high[:count])
         solve_gaps(gaps, self._plate.compliance, SWEEPS, self._work, self._force)
         carry_upwards(self._plate.region, self._plate.motion, self._force, self._sums, skin)
         return True
-
-    def _narrowest(self, points: Array, count: int) -> Int64Array:
-        """Return which of the `count` contacts is the narrowest at each place along the mouth."""
-        start, end = self._ends.times(points, self._corners)[:, 0]
-        x, gap = self._contacts.x[:count], self._contacts.gap[:count]
-        contacts = narrowest(start, end, PLACES, WIDTH, x, gap)
-        return contacts[contacts >= 0]

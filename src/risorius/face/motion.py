@@ -22,9 +22,8 @@ from .springs import RATE, Springs
 Drive = Callable[[Array], Array]
 """All parameters (n, 46) at ascending times (n,) in seconds."""
 
-# Steps whose activations are computed at once: few after a jump, later more, because many cost little more
-# than one.
-FIRST_BLOCK, LARGEST_BLOCK = RATE, 8 * RATE
+# Steps whose activations are computed at once: few after a jump, later many, which cost little more than one.
+FIRST_BLOCK, LATER_BLOCK = RATE, 8 * RATE
 
 
 def between_frames(performance: Performance) -> Drive:
@@ -112,8 +111,7 @@ class Motion:
         """Return the targets of a few steps, and the number of `step` among them."""
         if step not in self._few:
             if step - self._first >= len(self._block):
-                count = min(2 * len(self._block), LARGEST_BLOCK)
-                self._first, self._block = step, self._values_from(step, count)
+                self._first, self._block = step, self._values_from(step, LATER_BLOCK)
             place = step - self._first
             values = self._block[place : place + AT_ONCE]
             self._few = range(step, step + len(values))

@@ -24,9 +24,6 @@ def about_axis(axis: Array, angle: float) -> Array:
     )
 
 
-_LEFT, _UP, _FORWARD = np.eye(3)
-
-
 def turned(vectors: Array, axis: Array, angles: Array | float) -> Array:
     """Return `vectors` (n, 3) turned about the unit `axis` (3,) by `angles` (n,) radians."""
     angle: Array = np.broadcast_to(angles, len(vectors))[:, None]
@@ -39,10 +36,15 @@ def head_rotation(pitch: float, yaw: float, roll: float) -> Array:
 
     The head tilts first, then nods, then turns, so that a nod of a turned head is still a nod.
     """
-    turn = about_axis(_UP, math.radians(yaw))
-    nod = about_axis(_LEFT, -math.radians(pitch))
-    tilt = about_axis(_FORWARD, -math.radians(roll))
-    return np.asarray(turn @ nod @ tilt)
+    p, y, r = math.radians(pitch), math.radians(yaw), math.radians(roll)
+    sp, cp, sy, cy, sr, cr = math.sin(p), math.cos(p), math.sin(y), math.cos(y), math.sin(r), math.cos(r)
+    return np.array(
+        [
+            [cy * cr + sy * sp * sr, cy * sr - sy * sp * cr, sy * cp],
+            [-cp * sr, cp * cr, sp],
+            [cy * sp * sr - sy * cr, -sy * sr - cy * sp * cr, cy * cp],
+        ]
+    )
 
 
 def rotation_angles(rotation: Array) -> tuple[float, float, float]:
@@ -55,8 +57,13 @@ def rotation_angles(rotation: Array) -> tuple[float, float, float]:
 
 def direction(pitch: float, yaw: float) -> Array:
     """Return the unit vector (3,) at `pitch` degrees up and `yaw` degrees to the subject's left of +z."""
+    return np.array(towards(pitch, yaw))
+
+
+def towards(pitch: float, yaw: float) -> tuple[float, float, float]:
+    """Return x, y and z of `direction`."""
     p, y = math.radians(pitch), math.radians(yaw)
-    return np.array([math.cos(p) * math.sin(y), math.sin(p), math.cos(p) * math.cos(y)])
+    return math.cos(p) * math.sin(y), math.sin(p), math.cos(p) * math.cos(y)
 
 
 def forward_to(target: Iterable[float]) -> Array:
@@ -64,6 +71,10 @@ def forward_to(target: Iterable[float]) -> Array:
 
     `target` must lie in front (z > −1).
     """
-    x, y, z = map(float, target)
+    return np.array(forward_rows(*map(float, target)))
+
+
+def forward_rows(x: float, y: float, z: float) -> list[list[float]]:
+    """Return the rows of `forward_to`."""
     k = 1.0 / (1.0 + z)
-    return np.array([[1.0 - k * x * x, -k * x * y, x], [-k * x * y, 1.0 - k * y * y, y], [-x, -y, z]])
+    return [[1.0 - k * x * x, -k * x * y, x], [-k * x * y, 1.0 - k * y * y, y], [-x, -y, z]]

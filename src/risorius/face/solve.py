@@ -57,6 +57,8 @@ def checked_values(values: npt.ArrayLike) -> Array:
         raise ParameterError(
             f"values have shape {row.shape}; expected ({len(PARAMETERS)},), one per parameter"
         )
+    if (row >= _LOW).all() and (row <= _HIGH).all():
+        return row.copy()
     return np.asarray(checked_rows(row[None])[0])
 
 

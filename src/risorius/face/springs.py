@@ -85,14 +85,14 @@ class Springs:
 
     def go_on(self, targets: Array, number: int) -> None:
         """Go on by one step, to the end that has that `number` among the latest `targets`."""
-        self._before[:] = self._place
-        _load(targets, number, self._place, self._strain, self._velocity, MASS)
+        self._before, self._place = self._place, self._before
+        _load(targets, number, self._before, self._strain, self._velocity, MASS)
         net = self.network
         pull(net.start, net.column, net.weight, self._strain, 1.0 / RATE, self._velocity)
         if self._second is not None:
-            self._second.pull(self._linked[number], self._place, 1.0 / RATE, self._velocity)
+            self._second.pull(self._linked[number], self._before, 1.0 / RATE, self._velocity)
         self._factor.solve(self._velocity)
-        _move(self._place, self._velocity, 1.0 / RATE)
+        _move(self._before, self._velocity, 1.0 / RATE, self._place)
 
     def place(self, share: float, displacement: Array) -> None:
         """Write the places of the points to the skin's `displacement` (N0, 3).
@@ -111,10 +111,10 @@ def _load(targets: Array, number: int, place: Array, strain: Array, velocity: Ar
 
 
 @summing_kernel
-def _move(place: Array, velocity: Array, step: float) -> None:
-    for i in range(len(place)):
+def _move(before: Array, velocity: Array, step: float, after: Array) -> None:
+    for i in range(len(after)):
         for c in range(3):
-            place[i, c] += step * velocity[i, c]
+            after[i, c] = before[i, c] + step * velocity[i, c]
 
 
 @summing_kernel
