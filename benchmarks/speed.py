@@ -74,13 +74,17 @@ def measured(row: Row, tree: Path) -> float:
         if row.fresh:
             variables["NUMBA_CACHE_DIR"] = str(Path(folder) / "cache")
         command = [sys.executable, "-c", row.program]
-        process = subprocess.Popen(command, cwd=folder, env=variables, stdout=subprocess.PIPE, text=True)
+        complaints = Path(folder) / "complaints"
+        with complaints.open("w") as errors:
+            process = subprocess.Popen(
+                command, cwd=folder, env=variables, stdout=subprocess.PIPE, stderr=errors, text=True
+            )
         assert process.stdout is not None
         said = process.stdout.read()
         _, status, used = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
         if process.returncode:
-            raise SystemExit(f"{row.name} failed in {tree}")
+            raise SystemExit(f"{row.name} failed in {tree}:\n{complaints.read_text()}")
     return used.ru_utime + used.ru_stime if row.seconds else float(said.split()[-1])
 
 

@@ -144,6 +144,11 @@ def _columns(table: Array) -> list[Array]:
     ]
 
 
+def _at(column: Array, pieces: IndexArray) -> Array:
+    """Return a column's numbers of some pieces (n,), shape (n,), or (1,) if all pieces have the same."""
+    return column[:1] if column.strides == (0,) else column[pieces]
+
+
 class MovementCurve:
     """All pieces of one parameter in one layer, evaluated at any times."""
 
@@ -181,11 +186,12 @@ class MovementCurve:
         """Return the values of pieces (n,), each at its own time (not before its start), shape (n,)."""
         x = times - self.start[pieces]
         values: Array = self.level[pieces]
-        rising = x < self.onset[pieces]
-        i = np.flatnonzero(rising & (self.rise[pieces] != 0.0))
+        rising = x < _at(self.onset, pieces)
+        i = np.flatnonzero(rising & (_at(self.rise, pieces) != 0.0))
         k = pieces[i]
-        risen = self.begin[k] + self.rise[k] * self._shapes(self.function[k], x[i] / self.onset[k])
-        values[i] = np.minimum(risen, self.cap[k])
+        begin, rise, onset = (_at(column, k) for column in (self.begin, self.rise, self.onset))
+        risen = begin + rise * self._shapes(self.function[k], x[i] / onset)
+        values[i] = np.minimum(risen, _at(self.cap, k))
         i = np.flatnonzero(~rising & (times > self.apex_end[pieces]))
         k = pieces[i]
         left = np.maximum(self.end[k] - times[i], 0.0)

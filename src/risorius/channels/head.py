@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import replace
 from itertools import count
 from statistics import fmean
 
@@ -81,13 +80,13 @@ def _melody(inputs: ChannelInputs) -> Iterator[Movement]:
         cause = Cause(MELODY, f'"{said.words[run[0].word].text}"')
         last = run[-1].end
         pauses = following > last + TICK
-        link = _link(first, last if pauses else following, {"head_pitch": size * pitch}, "melody", cause)
-        yield replace(link, onset=min(last, following) - first)
+        end, onset = last if pauses else following, min(last, following) - first
+        yield _link(first, end, {"head_pitch": size * pitch}, "melody", cause, onset)
         if pauses:
             seconds = min(following - last, _RELEASE)
             # In a short pause there is time for a part of the way only.
             left = {"head_pitch": (1.0 - seconds / _RELEASE) * size * pitch + 0.0}  # not -0.0
-            yield replace(_link(last, following, left, "melody", cause), onset=seconds)
+            yield _link(last, following, left, "melody", cause, seconds)
 
 
 def _runs(said: Utterance) -> Iterator[tuple[list[Syllable], float]]:
@@ -146,10 +145,17 @@ def noise_steps(
         start = end
 
 
-def _link(start: float, end: float, targets: dict[str, float], layer: str, cause: Cause) -> Movement:
-    """Return one movement of a chain: all the way to the next one it is on its way."""
+def _link(
+    start: float,
+    end: float,
+    targets: dict[str, float],
+    layer: str,
+    cause: Cause,
+    onset: float | None = None,
+) -> Movement:
+    """Return one movement of a chain: unless it has an onset, it is on its way all the time to the next."""
     return Movement(
-        "head", start, end + _OVERLAP, end - start, _OVERLAP, with_eyes(targets),
+        "head", start, end + _OVERLAP, end - start if onset is None else onset, _OVERLAP, with_eyes(targets),
         id=f"{cause.rule}@{start:.3f}", layer=layer, function="minimum_jerk", cause=cause,
     )  # fmt: skip
 

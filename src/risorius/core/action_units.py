@@ -205,9 +205,10 @@ def unit_weights(name: str) -> Mapping[str, float]:
 
 def in_parameters(targets: Mapping[str, float]) -> Mapping[str, float]:
     """Return targets as values of parameters; those that have no action unit as they are."""
-    if not any(name.startswith("AU") for name in targets):
-        return targets
-    return _in_parameters(tuple(targets.items()))
+    for name in targets:
+        if name.startswith("AU"):
+            return _in_parameters(tuple(targets.items()))
+    return targets
 
 
 # Each movement is asked for its parameters several times while it is planned.

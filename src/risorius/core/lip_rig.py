@@ -67,7 +67,8 @@ NONE = len(CONTROLS)
 DEGREE = 3
 SEAL = "lip_seal"
 _OPENING = ("jaw", "open", "upper")
-_STEPS = 6
+_STEPS, _MOST_NEEDED, _NEAR = 6, 4, 1e-9
+"""Newton's steps; most solutions need four, by the last of which they move less than the third number."""
 _ROUNDS = 4
 ROUNDED = 1.0
 """mm over which a control begins, so that it has no corner where the next one takes over."""
@@ -317,12 +318,22 @@ def _newton(first: Array, second: Array, third: Array, wanted: Array) -> Array:
     whole = first + second + third
     rising = np.sign(whole)
     x = np.minimum(np.maximum(wanted / whole, 0.0), 1.0)
+    solution, going_on = x, np.arange(len(wanted))
     with np.errstate(divide="ignore", invalid="ignore"):
-        for _ in range(_STEPS):
+        for step in range(_STEPS):
+            before = x
             missing = wanted - x * (first + x * (second + x * third))
             beyond = missing * rising < 0.0
             low, high = np.where(beyond, low, x), np.where(beyond, x, high)
             newton = x + missing / _slope((wanted, first, second, third), x)
             inside = (newton >= low) & (newton <= high)
             x = np.where(inside, newton, 0.5 * (low + high))
-    return x
+            if step + 1 == _MOST_NEEDED:
+                # Each by itself, so that no solution depends on which others are wanted.
+                solution, going_on = x, np.flatnonzero(np.abs(x - before) > _NEAR)
+                if not len(going_on):
+                    return solution
+                state = (first, second, third, wanted, rising, low, high, x)
+                first, second, third, wanted, rising, low, high, x = (part[going_on] for part in state)
+    solution[going_on] = x
+    return solution

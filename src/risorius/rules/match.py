@@ -100,10 +100,10 @@ def felt_modulations(felt: Mapping[str, float]) -> tuple[Modulation, ...]:
 
 def fits(when: When, unit: Unit) -> bool:
     """Tell whether a unit is all that a rule asks for."""
-    return (
-        (not when.accent or _labelled(when.accent, [a.label for a in unit.accents]))
+    return bool(
+        (not when.accent or (unit.accents and _labelled(when.accent, [a.label for a in unit.accents])))
         and (when.nuclear is None or when.nuclear == any(a.nuclear for a in unit.accents))
-        and (not when.boundary or _labelled(when.boundary, [unit.boundary] if unit.boundary else []))
+        and (not when.boundary or (unit.boundary and _labelled(when.boundary, [unit.boundary])))
         and (not when.pause or unit.pause in when.pause)
         and (not when.question or unit.question in when.question)
         and (not when.stress or unit.stress in when.stress)
@@ -118,7 +118,7 @@ def fits(when: When, unit: Unit) -> bool:
 
 
 def _labelled(wanted: Sequence[str], found: Sequence[str]) -> bool:
-    return any(ANY in wanted or label in wanted for label in found)
+    return ANY in wanted or any(label in wanted for label in found)
 
 
 def _within(limits: tuple[float, float] | None, value: float) -> bool:

@@ -56,6 +56,7 @@ class SpokenUnits:
             Level.TURN: _open(turns_of(said, situation.listening), situation),
         }
         self._first_words = {level: [s.first_word for s in own] for level, own in self._stretches.items()}
+        self._accented_words = [accent.word for accent in said.accents]
         self._boundary_of = {boundary.word: boundary.label for boundary in said.boundaries}
         self._groups = list(groups_of(said))
         self._rates = [rate_of_phrase(said, phrase) for phrase in said.phrases]
@@ -162,8 +163,9 @@ class SpokenUnits:
 
     def _accents(self, first: int, last: int) -> tuple[Accent, ...]:
         """Return the accents on words [first, last)."""
-        low, high = (bisect_left(self.said.accents, word, key=lambda a: a.word) for word in (first, last))
-        return self.said.accents[low:high]
+        return self.said.accents[
+            bisect_left(self._accented_words, first) : bisect_left(self._accented_words, last)
+        ]
 
     def items(self) -> Iterator[Unit]:
         """Yield words, and the syllables of phrases that are spoken slowly (paper B, section 4.1)."""

@@ -25,12 +25,12 @@ class Units:
 
     def of(self, level: Level) -> tuple[Unit, ...]:
         """Return the units of a level in order; none of those that speech has where nothing is said."""
-        if level is Level.MOMENT:
-            return tuple(self._moments())
-        if self._said is None or not self._said.words:
+        silent = self._said is None or not self._said.words
+        if silent and level is not Level.MOMENT:
             return ()
         if level not in self._made:
-            self._made[level] = tuple(self._spoken[level]())
+            make = self._moments if level is Level.MOMENT else self._spoken[level]
+            self._made[level] = tuple(make())
         return self._made[level]
 
     @cached_property
