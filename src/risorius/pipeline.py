@@ -18,19 +18,28 @@ from .rules.profiles import attitude, profile_of
 from .rules.rule_set import emotions_of, rule_set_of
 from .script import Script
 from .settings import Settings
-from .speech import VOICE_SETTINGS, Input, feelings, hear, read, say
+from .speech import VOICE_SETTINGS, Input, SpokenBefore, feelings, hear, read, say
 from .take import Take, lip_rig
 from .unread import refuse_unread
 
 
-def perform(given: Input, emotions: Displays, settings: Settings, progress: Progress = quiet) -> Take:
-    """Perform a text, a script or a recording, showing `emotions` beside those that it marks."""
+def perform(
+    given: Input,
+    emotions: Displays,
+    settings: Settings,
+    progress: Progress = quiet,
+    before: SpokenBefore | None = None,
+) -> Take:
+    """Perform a text, a script or a recording, showing `emotions` beside those that it marks.
+
+    What was spoken `before` is not spoken again; what is spoken is added to it.
+    """
     with emotions_of(settings.rules, settings.expression):  # a fault in it is told before anything is spoken
         source = read(given)
         refuse_unread(source, settings)
         settings = with_profile(settings)
         if isinstance(source, Script):
-            script, utterance = source, speak(source, emotions, settings, progress)
+            script, utterance = source, speak(source, emotions, settings, progress, before)
         else:
             script, utterance = hear(source, progress)
         score = compose(script, utterance, emotions, settings)
@@ -45,13 +54,18 @@ def with_profile(settings: Settings) -> Settings:
 
 
 def speak(
-    script: Script, emotions: Displays, settings: Settings, progress: Progress = quiet
+    script: Script,
+    emotions: Displays,
+    settings: Settings,
+    progress: Progress = quiet,
+    before: SpokenBefore | None = None,
 ) -> Utterance | None:
     """Speak a script with a synthesized voice, coloured by emotions; None if it says nothing."""
     if not script.lines:
         return None
     felt = feelings(script, emotions) if settings.voice_emotion else ()
-    return say(script, felt=felt, progress=progress, **{n: getattr(settings, n) for n in VOICE_SETTINGS})
+    voice = {name: getattr(settings, name) for name in VOICE_SETTINGS}
+    return say(script, felt=felt, progress=progress, before=before, **voice)
 
 
 def compose(script: Script, utterance: Utterance | None, emotions: Displays, settings: Settings) -> Score:

@@ -5,6 +5,7 @@ from .engines.voices import voices
 from .from_recording import LabelledRecording, Recording, hear
 from .input import Input, read, read_transcript
 from .say import VOICE_SETTINGS, say
+from .spoken import SpokenBefore
 from .synthesis import synthesize
 
 __all__ = [
@@ -12,6 +13,7 @@ __all__ = [
     "Input",
     "LabelledRecording",
     "Recording",
+    "SpokenBefore",
     "feelings",
     "hear",
     "read",

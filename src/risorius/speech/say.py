@@ -29,6 +29,8 @@ from .affect import Feeling, coloured, common_manner, written_words
 from .engines.registry import is_voice_file
 from .engines.voices import find_voice
 from .prosody.measure import pitched
+from .prosody.pitch import measure_pitch
+from .spoken import SpokenBefore
 from .synthesis import synthesize, voice_language, voice_pitch
 from .text.tokens import is_speakable
 
@@ -64,41 +66,45 @@ def say(
     answers: str | None = None,
     felt: Sequence[Feeling] = (),
     progress: Progress = quiet,
+    before: SpokenBefore | None = None,
 ) -> Utterance:
     """Speak a script. `lead` and `tail` seconds of silence surround it unless its times are absolute.
 
     Without `voice`, `language`, or else the script's, is spoken by its first voice, English where neither is
     named. `answers`: the question that the first line answers, in place of the script's own. `felt`: emotions
     that change the voice. `progress` is told when the voice is found and speaks, and how much of a long line
-    is spoken, in per cent.
+    is spoken, in per cent. What was spoken `before` is not spoken again; what is spoken is added to it.
     Raises InputError, with the line's place, where a line starts before the one before it has ended;
     SpeechError if the engine fails.
     """
     if answers:
         script = _answering(script, answers)
-    spoken = language
-    if spoken is None and (voice is None or is_voice_file(voice)):
-        spoken = script.language
+    code = language
+    if code is None and (voice is None or is_voice_file(voice)):
+        code = script.language
     told = partial(_tell, progress) if len(script.text) > _LONG else None
-    speak = partial(synthesize, voice=voice, language=spoken, rate=rate, progress=told)
+    speak = partial(synthesize, voice=voice, language=code, rate=rate, progress=told)
+    if before is not None:
+        speak = partial(speak, spoken=before.renditions)
     if not script.timed:
         speak = partial(speak, lead=lead, tail=tail)
     manner = common_manner(felt)
     try:
         if voice is None or not is_voice_file(voice):
-            find_voice(voice, spoken)
+            find_voice(voice, code)
         progress("Speaking …")
         if manner is not None:
             said = _speak(script, partial(speak, manner=manner))
         else:
-            speak = partial(speak, spoken={})
-            said = _speak_coloured(script, felt, speak, voice_language(voice, spoken))
-        hertz = voice_pitch(voice, spoken)
+            speak = speak if before is not None else partial(speak, spoken={})
+            said = _speak_coloured(script, felt, speak, voice_language(voice, code))
+        hertz = voice_pitch(voice, code)
         raised = 0.0 if manner is None else manner.pitch
-        return pitched(said, None if hertz is None else hertz * 2.0 ** (raised / _SEMITONES))
+        hertz = None if hertz is None else hertz * 2.0 ** (raised / _SEMITONES)
+        return pitched(said, hertz, measure_pitch if before is None else before.pitch.measure)
     except SpeechError as error:
         # The script is at fault only where it names the language itself.
-        named = spoken is not None and language is None
+        named = code is not None and language is None
         raise error.at(script.lines[0].place) if named else error from None
 
 

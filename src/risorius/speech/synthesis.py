@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, MutableMapping, Sequence
 from dataclasses import replace
 from itertools import chain, pairwise
 
@@ -27,7 +27,7 @@ from .text.normalise import normalise, placed
 from .text.sentences import divide
 from .text.tokens import Token, is_speakable, tokenize, with_words
 
-Renditions = dict[SpeechRequest, Rendition]
+KnownRenditions = MutableMapping[SpeechRequest, Rendition]
 """What a voice has spoken, by what it was asked for."""
 LONGEST_TEXT = 100_000
 SLOWEST, FASTEST = 80, 440
@@ -48,7 +48,7 @@ def synthesize(
     directions: Directions = UNDIRECTED,
     engine: SpeechEngine | None = None,
     progress: Callable[[float], None] | None = None,
-    spoken: Renditions | None = None,
+    spoken: KnownRenditions | None = None,
 ) -> Utterance:
     """Speak `text` and return the utterance, with `lead` and `tail` seconds of silence around it.
 
@@ -140,7 +140,7 @@ def _speak(
     directions: Directions,
     engine: SpeechEngine,
     progress: Callable[[float], None] | None,
-    known: Renditions | None,
+    known: KnownRenditions | None,
 ) -> Iterator[SpokenPart]:
     """Speak the stretches of `text` in the manner of `request`; warn of sounds that had to be guessed."""
     language = language_of(request.voice.language)
@@ -166,13 +166,13 @@ def _speak(
         warn(f"unknown phones are shown as the nearest class of phones: {names}", SpeechWarning)
 
 
-def _rendition(engine: SpeechEngine, request: SpeechRequest, known: Renditions | None) -> Rendition:
+def _rendition(engine: SpeechEngine, request: SpeechRequest, known: KnownRenditions | None) -> Rendition:
     """Return what is `known` of a request, or let the engine speak it and add it there."""
     if known is None:
         return engine.speak(request)
-    if request not in known:
-        known[request] = engine.speak(request)
-    return known[request]
+    rendition = known.get(request) or engine.speak(request)
+    known[request] = rendition
+    return rendition
 
 
 def _check_text(text: str) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from ...core.utterance import Accent, Boundary, Syllable, Utterance
@@ -13,16 +13,25 @@ from .accents import find_accents
 from .boundaries import find_boundaries
 from .contour import Contour, contour_of
 from .cues import Cues, cues_of, heights_of, vowels_of
-from .pitch import measure_pitch
-from .running import SpeakerStatistics, known_voice, unknown_speaker
+from .pitch import Pitch, measure_pitch
+from .running import RunningRange, SpeakerStatistics, known_voice, unknown_speaker
 from .runs import Run, runs_of
 
+MeasurePitch = Callable[[Resampled, float, float, RunningRange], Pitch]
+"""Measures the pitch between two times, in seconds, of a voice with this range so far."""
 
-def measured(utterance: Utterance, *, accents: bool = True, boundaries: bool = True) -> Utterance:
+
+def measured(
+    utterance: Utterance,
+    *,
+    accents: bool = True,
+    boundaries: bool = True,
+    measure: MeasurePitch = measure_pitch,
+) -> Utterance:
     """Return the utterance with its accents and boundaries measured, and how its syllables sound.
 
     Accents and boundaries that are not asked for stay as they are. What is between two pauses is measured
-    from the sound up to its end: what follows changes nothing of it.
+    from the sound up to its end: what follows changes nothing of it. `measure` measures its pitch.
     """
     resampled = Resampled(utterance.audio)
     speaker = unknown_speaker()
@@ -33,7 +42,7 @@ def measured(utterance: Utterance, *, accents: bool = True, boundaries: bool = T
     for run in runs_of(utterance):
         if not run.syllables:
             continue  # a hum, or "sh": it has no accent, and no tone at its end
-        contour = _contour(resampled, run, speaker)
+        contour = _contour(resampled, run, speaker, measure)
         cues = cues_of(utterance, run, resampled, contour, speaker)
         syllables += _sounding(utterance, run, cues)
         run_boundaries = find_boundaries(utterance, run, cues, contour, speaker) if boundaries else ()
@@ -51,8 +60,10 @@ def measured(utterance: Utterance, *, accents: bool = True, boundaries: bool = T
     return with_phrases(heard)
 
 
-def pitched(utterance: Utterance, voice_hertz: float | None = None) -> Utterance:
-    """Return an utterance whose accents are known with the pitch of its syllables measured.
+def pitched(
+    utterance: Utterance, voice_hertz: float | None = None, measure: MeasurePitch = measure_pitch
+) -> Utterance:
+    """Return an utterance whose accents are known with the pitch of its syllables measured, by `measure`.
 
     `voice_hertz`: the mean pitch of the voice, if known.
     """
@@ -61,14 +72,16 @@ def pitched(utterance: Utterance, voice_hertz: float | None = None) -> Utterance
     heights: list[float] = []
     for run in runs_of(utterance):
         vowels = vowels_of(utterance, run)
-        contour = _contour(resampled, run, speaker) if vowels else None
+        contour = _contour(resampled, run, speaker, measure) if vowels else None
         heights += heights_of(vowels, contour, speaker).tolist()
     syllables = zip(utterance.syllables, heights, strict=True)
     return replace(utterance, syllables=tuple(replace(s, pitch=round(h, 3)) for s, h in syllables))
 
 
-def _contour(resampled: Resampled, run: Run, speaker: SpeakerStatistics) -> Contour | None:
-    return contour_of(measure_pitch(resampled, run.start, run.end, speaker.range), speaker.range)
+def _contour(
+    resampled: Resampled, run: Run, speaker: SpeakerStatistics, measure: MeasurePitch
+) -> Contour | None:
+    return contour_of(measure(resampled, run.start, run.end, speaker.range), speaker.range)
 
 
 def _sounding(utterance: Utterance, run: Run, cues: Cues) -> Iterator[Syllable]:

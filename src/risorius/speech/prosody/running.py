@@ -83,6 +83,11 @@ class RunningRange:
         return self._range(self._counts + _counted(semitones))
 
     @property
+    def state(self) -> tuple[float, float, float, float, bytes]:
+        """All that the range depends on."""
+        return self._median, self._median_count, self._prior, self._most, self._counts.tobytes()
+
+    @property
     def range(self) -> PitchRange:
         """The range so far."""
         return self._range(self._counts)

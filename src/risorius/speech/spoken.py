@@ -1,0 +1,30 @@
+"""What was spoken before, for whoever speaks a text again that has grown or changed."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from dataclasses import dataclass, field
+
+from .engines.protocol import Rendition, SpeechRequest
+from .prosody.pitch_cache import PitchCache
+
+
+class Renditions(OrderedDict[SpeechRequest, Rendition]):
+    """The latest `most` stretches that a voice has spoken, by what it was asked for."""
+
+    def __init__(self, most: int = 64) -> None:
+        super().__init__()
+        self._most = most
+
+    def __setitem__(self, request: SpeechRequest, rendition: Rendition) -> None:
+        super().__setitem__(request, rendition)
+        while len(self) > self._most:
+            self.popitem(last=False)
+
+
+@dataclass(frozen=True, slots=True)
+class SpokenBefore:
+    """The sound and the pitch of what one engine has spoken; both are the same when it is spoken again."""
+
+    renditions: Renditions = field(default_factory=Renditions)
+    pitch: PitchCache = field(default_factory=PitchCache)
