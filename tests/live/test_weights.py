@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import threading
+import time
 from itertools import islice
 
 import numpy as np
@@ -11,7 +14,7 @@ from risorius import Live, Settings, speak
 from risorius.errors import HeadError
 from risorius.live.seam import SEAM
 from risorius.live.turn import TAIL
-from risorius.live.weights import LiveWeights
+from risorius.live.weights import LiveWeights, Solvers
 
 
 def test_weights_are_those_of_the_performance() -> None:
@@ -35,6 +38,27 @@ def test_frames_may_be_left_out() -> None:
     every = [whole.added(frame).arkit for frame in frames]
     few = [some.added(frame).arkit for frame in frames[::3]]
     assert np.abs(np.array(every[::3]) - np.array(few)).max() < 0.2
+
+
+def test_who_has_waited_longest_for_a_solver_is_next(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(os, "cpu_count", lambda: 1)
+    solvers, order, waiting = Solvers(Settings()), [], []
+
+    def solve(name: int) -> None:
+        with solvers.one():
+            order.append(name)
+
+    with solvers.one():
+        for name in range(4):
+            waiting.append(threading.Thread(target=solve, args=(name,)))
+            waiting[-1].start()
+            while len(solvers) <= name:
+                time.sleep(0.001)
+    # Who asks again at once comes after them.
+    solve(4)
+    for thread in waiting:
+        thread.join()
+    assert order == [0, 1, 2, 3, 4]
 
 
 def test_a_head_that_is_not_there_is_said_at_once() -> None:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 import os
+from collections import deque
 from collections.abc import Iterator, Mapping
+from concurrent.futures import Future
 from contextlib import contextmanager
 from dataclasses import replace
 from fractions import Fraction
 from functools import lru_cache
-from threading import BoundedSemaphore, Lock
+from threading import Lock
 
 import numpy as np
 
@@ -77,33 +79,57 @@ class LiveWeights:
         self._springs.run(self._before + shares[:, None] * (values - self._before))
 
 
-class _Solvers:
-    """The solvers of one head: as many as solve at a time, at most one for each processor."""
+class Solvers:
+    """The solvers of one head: as many as solve at a time, at most one for each processor.
+
+    Who has waited longest is next: a face that is late, and asks again at once, must not make others late.
+    """
 
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
         self._free = [make_solver(settings)]
-        self._room = BoundedSemaphore(os.cpu_count() or 1)
+        self._more = (os.cpu_count() or 1) - 1
+        self._lock = Lock()
+        self._waiting: deque[Future[FaceSolver]] = deque()
         self.fit = ArkitFit.of(self._free[0].head)
+
+    def __len__(self) -> int:
+        """How many wait for a solver."""
+        return len(self._waiting)
 
     @contextmanager
     def one(self) -> Iterator[FaceSolver]:
         """Lend a solver."""
-        with self._room:
-            try:
-                solver = self._free.pop()
-            except IndexError:
-                solver = make_solver(self._settings)
-            try:
-                yield solver
-            finally:
+        solver = self._next()
+        try:
+            yield solver
+        finally:
+            self._give(solver)
+
+    def _next(self) -> FaceSolver:
+        turn: Future[FaceSolver] = Future()
+        with self._lock:
+            if self._free:
+                return self._free.pop()
+            if not self._more:
+                self._waiting.append(turn)
+            else:
+                self._more -= 1
+                turn.set_result(make_solver(self._settings))
+        return turn.result()
+
+    def _give(self, solver: FaceSolver) -> None:
+        with self._lock:
+            if self._waiting:
+                self._waiting.popleft().set_result(solver)
+            else:
                 self._free.append(solver)
 
 
 _making = Lock()
 
 
-def _solvers_of(settings: Settings) -> _Solvers:
+def _solvers_of(settings: Settings) -> Solvers:
     with _making:
         return _made(
             settings.head, settings.age, settings.dynamics, _items(settings.shape), _items(settings.wrinkles)
@@ -117,8 +143,8 @@ def _made(
     dynamics: str,
     shape: tuple[tuple[str, float], ...],
     wrinkles: tuple[tuple[str, float], ...],
-) -> _Solvers:
-    return _Solvers(
+) -> Solvers:
+    return Solvers(
         Settings(head=head, age=age, dynamics=dynamics, shape=dict(shape), wrinkles=dict(wrinkles))
     )
 
