@@ -61,6 +61,10 @@ class RisoriusError(Exception):
         self.message = shortened(printable(message), LONGEST_MESSAGE - len(where))
         super().__init__(where + self.message)
 
+    def __reduce__(self) -> tuple[type[RisoriusError], tuple[object, ...]]:
+        """Return what makes the same error in another process."""
+        return type(self), (self.message, self.place)
+
     def at(self, place: Place) -> RisoriusError:
         """Return the same error with its place, unless it has one already."""
         return self if self.place is not None else type(self)(self.message, place)
@@ -85,6 +89,10 @@ class UnreadError(InputError):
         self.names, self.reason = tuple(names), reason
         verb = "has" if len(self.names) == 1 else "have"
         super().__init__(f"{', '.join(self.names)} {verb} no effect: {reason}", place)
+
+    def __reduce__(self) -> tuple[type[RisoriusError], tuple[object, ...]]:
+        """Return what makes the same error in another process."""
+        return UnreadError, (self.names, self.reason, self.place)
 
     def at(self, place: Place) -> UnreadError:
         """Return the same error with its place, unless it has one already."""

@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 from risorius import Live, speak
 from risorius.core.parameters import INDEX
 from risorius.live.frame import LiveFrame
+from risorius.live.performer import perform_sentence
 from risorius.live.seam import SEAM
-from risorius.live.session import perform_sentence
 from risorius.live.turn import LAST_CALL, TAIL
 from risorius.rules.emotions import Displays
 from risorius.settings import Settings

@@ -22,6 +22,7 @@ from risorius.core.arkit import ROTATIONS, SHAPES
 from risorius.core.parameters import NAMES
 from risorius.errors import InputError, SpeechError
 from risorius.live import hearing
+from risorius.live.performer import LocalPerformer
 from risorius.live.voice import VoicedPhrase
 from risorius.pipeline import perform
 from risorius.ports.glb_file import GlbFile
@@ -200,12 +201,13 @@ def test_one_that_reads_nothing_goes_and_the_others_stay(
 
 
 def test_an_engine_that_dies_is_one_message(client: Client, monkeypatch: pytest.MonkeyPatch) -> None:
-    def dying(given: Input, *choices: Any) -> Take:
+    def dying(given: Input, *choices: Any, **options: Any) -> Take:
         if "dies" in str(given.script):
             raise SpeechError("the voice ended")
-        return perform(given, *choices)
+        return perform(given, *choices, **options)
 
-    monkeypatch.setattr("risorius.live.session.perform_input", dying)
+    monkeypatch.setattr("risorius.live.performer.perform_input", dying)
+    monkeypatch.setattr("risorius.live.session.performer_beside", LocalPerformer)
     client.start(fps=20)
     client.send("say", text="It dies. ")
     assert client.until("error")["message"] == "the voice ended"
@@ -329,6 +331,7 @@ def test_a_face_lives_on_while_a_voice_is_heard(client: Client, monkeypatch: pyt
         return hear(phrase, language)
 
     monkeypatch.setattr(hearing, "hear_phrase", slowly)
+    monkeypatch.setattr("risorius.live.session.performer_beside", LocalPerformer)
     client.start(fps=30, ahead=0.0)
     before = client.until("frame")["index"]
     silence = base64.b64encode(bytes(16_000)).decode()

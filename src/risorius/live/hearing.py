@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future
 from dataclasses import dataclass, replace
-from functools import cache
 
 import numpy as np
 
 from ..core.audio import Audio, AudioWriter, Samples
 from ..core.utterance import SILENCE, Utterance
-from ..errors import Place, RisoriusError, warnings_to
+from ..errors import Place, RisoriusError
 from ..pipeline import combine, compose, with_profile
 from ..rules.emotions import Displays
 from ..script import SpokenLine
@@ -25,6 +23,8 @@ from ..speech.alignment.said import said_in
 from ..speech.alignment.silences import without_gaps
 from ..speech.alignment.timed_words import locate_in_words, written
 from ..speech.prosody import measured
+from ..speech.prosody.measure import MeasurePitch
+from ..speech.prosody.pitch import measure_pitch
 from ..speech.recordings.recognition import heard
 from ..speech.recordings.recording import SHORTEST, SILENT_PEAK
 from ..speech.text.tokens import is_speakable
@@ -57,17 +57,6 @@ class HeardPhrase:
 
 
 Hearing = Future[HeardPhrase]
-
-
-def hear_later(phrase: VoicedPhrase, language: str, before: Hearing | None) -> Hearing:
-    """Hear a phrase in another thread, after the one before it, which may have left some of the text."""
-    return _threads().submit(_hear_after, phrase, language, before)
-
-
-def _hear_after(phrase: VoicedPhrase, language: str, before: Hearing | None) -> HeardPhrase:
-    rest = "" if before is None else before.result().rest
-    with warnings_to(lambda line: None):
-        return hear_phrase(replace(phrase, text=rest + phrase.text), language)
 
 
 def hear_phrase(phrase: VoicedPhrase, language: str) -> HeardPhrase:
@@ -113,14 +102,19 @@ def _by_ear(phrase: VoicedPhrase, audio: Audio, language: str) -> HeardPhrase:
 
 
 def perform_voice(
-    phrases: Sequence[HeardPhrase], feelings: Displays, settings: Settings, *, goes_on: bool = False
+    phrases: Sequence[HeardPhrase],
+    feelings: Displays,
+    settings: Settings,
+    *,
+    goes_on: bool = False,
+    measure: MeasurePitch = measure_pitch,
 ) -> Take:
     """Perform phrases that follow one another, with the settings' lead before them and their tail after.
 
-    With `goes_on` more will be said, in the same turn.
+    With `goes_on` more will be said, in the same turn. `measure` measures pitch.
     """
     settings = with_profile(settings)
-    utterance = measured(_joined(phrases, settings))
+    utterance = measured(_joined(phrases, settings), measure=measure)
     line = SpokenLine(utterance.text, 0.0, Place("live"))
     script = script_of((line,), timed=False, source="live", language=utterance.language)
     score = compose(replace(script, goes_on=goes_on), utterance, feelings, settings)
@@ -172,8 +166,3 @@ def _audio(pieces: Sequence[Samples], rate: int) -> Audio:
         for piece in pieces:
             writer.append(piece)
         return writer.finish()
-
-
-@cache
-def _threads() -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(os.cpu_count() or 1, "hear")

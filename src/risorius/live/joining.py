@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import cache
@@ -35,7 +34,7 @@ def join_later(
     at = max(
         frame, min(frame + _wait((*playing.sentences, *new), plan), playing.last_call(plan.settings.fps))
     )
-    turn = _threads().submit(plan.extended, playing.sentences, new, goes_on=goes_on)
+    turn = _threads(plan.performer.threads).submit(plan.extended, playing.sentences, new, goes_on=goes_on)
     return Joining(at, new, turn)
 
 
@@ -58,5 +57,5 @@ def _wait(sentences: tuple[LiveSentence, ...], plan: TurnPlan) -> int:
 
 
 @cache
-def _threads() -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(os.cpu_count() or 1, "join")
+def _threads(most: int) -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(most, "join")

@@ -21,20 +21,26 @@ from ..core.arrays import Array
 from ..core.frame_rate import parse_fps
 from ..core.parameters import INDEX
 from ..errors import InputError, ParameterError, UnreadError, check_number, unknown
-from ..pipeline import perform as perform_input
 from ..pipeline import with_profile
 from ..rules.emotions import Displays, emotion_names
 from ..settings import Settings
-from ..speech import Input
 from ..speech.engines.registry import is_voice_file, load_engine
 from ..speech.engines.voices import find_voice
-from ..take import Take
+from .beside import performer_beside
 from .frame import LiveFrame
 from .idle import IDLE_SECONDS, idle_take
 from .joining import Joining, end_later, join_later
 from .listening import PauseListener, nod_pitch
 from .looking import Looking, direction_of
 from .pace import Pace
+from .performer import (
+    LocalPerformer,
+    Performer,
+    PerformSentence,
+    hear_later,
+    perform_sentence,
+    played,
+)
 from .seam import SEAM, Seam
 from .turn import (
     FEW_SENTENCES,
@@ -42,7 +48,6 @@ from .turn import (
     TAIL,
     LiveStretch,
     PerformedTurn,
-    PerformSentence,
     TurnPlan,
     prerolled,
     room,
@@ -61,21 +66,15 @@ _SAMPLE_RATE = 22_050
 _HEAD_PITCH, _EYE_PITCH = INDEX["head_pitch"], INDEX["gaze_pitch"]
 
 
-def perform_sentence(text: str, feelings: Displays, settings: Settings, goes_on: bool = False) -> Take:
-    """Perform sentences as `speak` does; with `goes_on` more will be said, in the same turn."""
-    given = Input(text, text=True, name="live", language=settings.language, goes_on=goes_on)
-    return perform_input(given, feelings, settings)
-
-
 class Live:
     """A face that says what arrives in pieces, and lives in between.
 
-    No clock takes part: `frames` yields the next frame when asked, and a frame depends on the text and on the
-    frames at which it arrived, not on how it was cut. Text may come from another thread than the one that
-    asks for frames. Sentences that are there when a turn begins, and those that come .9 s before it ends, are
-    performed together as `speak` performs their text; the latter in another thread, while the turn plays.
-    `perform` performs them. With `arkit` each frame has
-    the weights of ARKit's shapes as well; raises HeadError if the head has none.
+    No clock takes part unless frames are paced: `frames` yields the next frame when asked, and a frame
+    depends on the text and on the frames at which it arrived, not on how it was cut. Text may come from
+    another thread than the one that asks for frames. Sentences that are there when a turn begins, and those
+    that come .9 s before it ends, are performed together as `speak` performs their text; the latter while the
+    turn plays, in another thread, or for paced frames in another process. `perform` performs them. With
+    `arkit` each frame has the weights of ARKit's shapes as well; raises HeadError if the head has none.
     """
 
     def __init__(
@@ -94,9 +93,14 @@ class Live:
             raise UnreadError(changed, "a live face has pauses of its own; expected none")
         self._settings = replace(chosen, lead=SEAM, tail=TAIL)
         self._idle_settings = with_profile(self._settings)
-        self._perform = perform
+        self._performer: Performer = LocalPerformer(perform)
+        # Whether it may perform in another process.
+        self._is_plain = perform is perform_sentence
         self._weights = _weights(self._settings) if arkit else None
-        self._waiting = WaitingSentences(_language(chosen))
+        language = _language(chosen)
+        self._waiting = WaitingSentences(
+            language, lambda phrase, before: hear_later(self._performer, phrase, language, before)
+        )
         # Why phrases are heard less well than they might be.
         self._faults: deque[str] = deque()
         self._lock = Lock()
@@ -229,7 +233,7 @@ class Live:
         if it is paced, the face lives on while the words of a voice are found, and the clock takes part. An
         error in a sentence (RisoriusError) is raised once; `frames`, called again, goes on after it.
         """
-        self._waits = waits and not paced
+        self._set_waiting(waits and not paced)
         pace = Pace(self._settings.fps, time.monotonic)
         while (frame := self._frame()) is not None:
             if paced and (wait := pace.wait(frame.index)):
@@ -237,13 +241,19 @@ class Live:
             yield frame
 
     async def aframes(self) -> AsyncIterator[LiveFrame]:
-        """Yield what `frames` does, paced; sentences are performed in another thread meanwhile."""
-        self._waits = False
+        """Yield what `frames` does, paced; each is made in another thread meanwhile."""
+        self._set_waiting(False)
         pace = Pace(self._settings.fps, time.monotonic)
         while (frame := await asyncio.to_thread(self._frame)) is not None:
             if wait := pace.wait(frame.index):
                 await asyncio.sleep(wait)
             yield frame
+
+    def _set_waiting(self, waits: bool) -> None:
+        """Let frames wait for what is being heard, or come in time: then a process beside performs."""
+        self._waits = waits
+        if self._is_plain and not waits:
+            self._is_plain, self._performer = False, performer_beside()
 
     def _frame(self) -> LiveFrame | None:
         stretch = self._current()
@@ -315,7 +325,11 @@ class Live:
                 self._joining = join_later(playing, new, plan, self._next, goes_on=goes_on)
             elif playing.goes_on and self._joining is None:
                 self._joining = end_later(playing, plan, self._next, told=not goes_on)
-        return self._joining is not None and self._next >= self._joining.at
+        joining = self._joining
+        if joining is None or self._next < joining.at:
+            return False
+        # Frames that must come in time go on without it, as long as that is no sentence's end.
+        return self._waits or joining.turn.done() or self._next >= playing.last_call(self._settings.fps)
 
     def _join(self, joining: Joining) -> None:
         """Go on with the turn that others have joined; an error in them is raised, and it goes on without."""
@@ -351,7 +365,7 @@ class Live:
             # The first turn has the random numbers of `speak`, every other one others.
             chosen = replace(self._settings, seed=self._settings.seed + self._turns)
             chosen, first = self._after(before, chosen, feelings)
-            self._plan = TurnPlan(self._perform, chosen, feelings, first, self._sample_rate)
+            self._plan = TurnPlan(self._performer, chosen, feelings, first, self._sample_rate)
             performed = self._plan.extended((), sentences, goes_on=goes_on)
             with self._lock:
                 if self._interrupted:
@@ -370,7 +384,7 @@ class Live:
         chosen, first = self._after(before, chosen, feelings)
         self._idles += 1
         take = idle_take(IDLE_SECONDS + float((self._next - first) / chosen.fps), feelings, chosen)
-        return stretch_of(take, (), (), first, feelings, self._sample_rate)
+        return stretch_of(played(take), (), (), first, feelings, self._sample_rate)
 
     def _after(
         self, before: LiveStretch | None, chosen: Settings, feelings: Displays

@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import ceil
-
-import numpy as np
 
 from ..core.arrays import Array
 from ..core.audio import Samples
 from ..errors import RisoriusError
 from ..rules.emotions import Displays
 from ..settings import Settings
-from ..take import Take
-from .hearing import perform_voice, texts_of
+from .hearing import texts_of
+from .performer import Performer, Played
 from .waiting import MOST_SENTENCES, LiveSentence
 
 TAIL = 0.35
@@ -31,9 +29,6 @@ LAST_CALL = 0.9
 """Seconds before a turn's end after which no sentence joins it (DESIGN, section 6)."""
 PREROLL = 1.0
 """Seconds in which emotions that are shown already rise before a stretch; they are not played."""
-
-PerformSentence = Callable[[str, Displays, Settings, bool], Take]
-"""Performs a text with what is felt; the last says whether more will be said in the same turn."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,12 +73,12 @@ class LiveStretch:
 
 @dataclass(frozen=True, slots=True)
 class TurnPlan:
-    """How a turn is performed: `perform` makes it by the `settings`, and it begins at the frame `first`.
+    """How a turn is performed: `performer` makes it by the `settings`, and it begins at the frame `first`.
 
     `rate` is that of a turn without sound.
     """
 
-    perform: PerformSentence
+    performer: Performer
     settings: Settings
     feelings: Displays
     first: int
@@ -96,12 +91,12 @@ class TurnPlan:
         """
         phrases = [sentence.voice.result() for sentence in sentences if sentence.voice is not None]
         if phrases:
-            take = perform_voice(phrases, self.feelings, self.settings, goes_on=goes_on)
+            played = self.performer.voice(phrases, self.feelings, self.settings, goes_on)
             texts = texts_of(phrases)
         else:
             texts = tuple(sentence.text for sentence in sentences)
-            take = self.perform("".join(texts), self.feelings, self.settings, goes_on)
-        stretch = stretch_of(take, sentences, texts, self.first, self.feelings, self.rate)
+            played = self.performer.text("".join(texts), self.feelings, self.settings, goes_on)
+        stretch = stretch_of(played, sentences, texts, self.first, self.feelings, self.rate)
         return replace(stretch, goes_on=goes_on)
 
     def extended(
@@ -144,31 +139,33 @@ def room(size: int, waiting: int) -> int:
 
 
 def stretch_of(
-    take: Take,
+    played: Played,
     sentences: tuple[LiveSentence, ...],
     texts: tuple[str, ...],
     first: int,
     feelings: Displays,
     rate: int,
 ) -> LiveStretch:
-    """Return what a take plays from the frame `first` on; `rate` is that of a take without sound.
+    """Return what is played from the frame `first` on; `rate` is that of what has no sound.
 
     `texts`: those of the sentences, with the blanks between them.
     """
-    samples = np.zeros(0, np.int16)
-    if take.audio is not None:
-        samples, rate = take.audio.read(), take.audio.sample_rate
-    words: tuple[tuple[float, int], ...] = ()
-    if take.utterance is not None:
-        words = tuple((word.start, word.source_start) for word in take.utterance.words)
     starts, character = [], 0
     for text in filter(None, texts):
-        first_words = [start for start, place in words if place >= character]
+        first_words = [start for start, place in played.words if place >= character]
         starts.append(first_words[0] if first_words else 0.0)
         character += len(text)
-    values, labels = take.performance.values, tuple(text.strip() for text in texts if text)
     return LiveStretch(
-        first, values, samples, rate, sentences, "".join(texts), labels, tuple(starts), words, feelings
+        first,
+        played.values,
+        played.samples,
+        played.sample_rate or rate,
+        sentences,
+        "".join(texts),
+        tuple(text.strip() for text in texts if text),
+        tuple(starts),
+        played.words,
+        feelings,
     )
 
 

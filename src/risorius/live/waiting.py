@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from ..errors import InputError
 from ..languages import language_of
 from ..rules.emotions import Display, Displays
-from .hearing import Hearing, hear_later, texts_of
+from .hearing import Hearing, texts_of
 from .sentences import SentenceBuffer
 from .voice import VoiceBuffer, VoicedPhrase
 
@@ -48,10 +48,13 @@ class LiveSentence:
 
 
 class WaitingSentences:
-    """Sentences that wait, in order, and the last one, which is not whole yet."""
+    """Sentences that wait, in order, and the last one, which is not whole yet.
 
-    def __init__(self, language: str) -> None:
-        self._language = language
+    `hear` hears a phrase of a voice, after the one before it if there is one.
+    """
+
+    def __init__(self, language: str, hear: Callable[[VoicedPhrase, Hearing | None], Hearing]) -> None:
+        self._hear_later = hear
         self._text, self._voice = SentenceBuffer(language_of(language)), VoiceBuffer()
         # The phrase before, which the next one of the same voice goes on from.
         self._before: Hearing | None = None
@@ -150,6 +153,6 @@ class WaitingSentences:
 
     def _hear(self, phrases: list[VoicedPhrase]) -> None:
         for phrase in phrases:
-            heard = hear_later(phrase, self._language, self._before)
+            heard = self._hear_later(phrase, self._before)
             self._before = heard if phrase.is_open else None
             self._whole.append(LiveSentence("", self.felt, heard, phrase.sample_rate))

@@ -1,0 +1,175 @@
+"""Performing in processes beside this one, so that no frame waits for it.
+
+To perform is Python's work, which holds up all other threads of a process again and again: ten faces whose
+sentences were performed beside their frames fell seconds behind.
+"""
+
+from __future__ import annotations
+
+import atexit
+import contextlib
+import os
+import socket
+import subprocess
+import threading
+from collections.abc import Callable, Sequence
+from multiprocessing.connection import Connection
+from typing import Any, TypeVar
+from weakref import WeakSet
+
+from ..core.processes import LOOK, SilentError, patience, start
+from ..errors import RisoriusError
+from ..rules.emotions import Displays
+from ..settings import Settings
+from ..speech.engines.registry import is_voice_file
+from .hearing import HeardPhrase
+from .performer import LocalPerformer, Performer, Played
+from .voice import VoicedPhrase
+from .worker import READY
+
+# Seconds that a request may take: a turn takes less than one.
+_LONGEST = 60.0
+_PROGRAM = "risorius.live.worker"
+_THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
+
+# Faces that share a process before another is started, up to one for each processor; threads that may wait.
+_FACES, _WAITING = 4, 32
+
+Answer = TypeVar("Answer")
+
+
+class LostError(Exception):
+    """The process has ended, or does not answer."""
+
+
+class PerformerProcess:
+    """A process that performs one request after the other; it loads what it needs while others perform."""
+
+    def __init__(self) -> None:
+        ours, theirs = socket.socketpair()
+        with theirs:
+            self._process = start(
+                _PROGRAM,
+                str(theirs.fileno()),
+                variables=dict.fromkeys(_THREADS, "1"),
+                stdin=subprocess.DEVNULL,
+                pass_fds=[theirs.fileno()],
+            )
+        self._connection = Connection(ours.detach())
+        self._lock = threading.Lock()
+        self._ready = self._lost = False
+        atexit.register(self.close)
+
+    @property
+    def is_lost(self) -> bool:
+        """Whether it has ended."""
+        return self._lost
+
+    def ask(self, task: str, *arguments: object) -> Any:
+        """Return the answer to a request; raise RisoriusError if that is the answer, LostError if there is
+        none, or if it is still loading.
+        """
+        with self._lock:
+            if self._lost or not self._is_ready():
+                raise LostError
+            try:
+                self._connection.send((task, arguments))
+                self._wait()
+                answer = self._connection.recv()
+            except (OSError, EOFError, SilentError):
+                self.close()
+                raise LostError from None
+        if isinstance(answer, RisoriusError):
+            raise answer
+        return answer
+
+    def _is_ready(self) -> bool:
+        try:
+            if not self._ready and self._connection.poll():
+                self._ready = self._connection.recv() == READY
+        except (OSError, EOFError):
+            self.close()
+        return self._ready and not self._lost
+
+    def _wait(self) -> None:
+        for step in patience(self._process.pid, _LONGEST):
+            if self._connection.poll(step):
+                return
+
+    def close(self) -> None:
+        """End it."""
+        self._lost = True
+        atexit.unregister(self.close)
+        self._connection.close()
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self._process.wait(timeout=LOOK if self._ready else 0.0)
+        self._process.kill()
+        self._process.wait()
+
+
+class PerformerBeside:
+    """Performs in a process; here while that is loading, if it is lost, and with the voice of a file, which
+    may take its time.
+    """
+
+    def __init__(self, process: PerformerProcess) -> None:
+        self._process, self._here = process, LocalPerformer()
+
+    @property
+    def threads(self) -> int:
+        """Many: all but one wait."""
+        return _WAITING
+
+    def text(self, text: str, feelings: Displays, settings: Settings, goes_on: bool) -> Played:
+        """Perform a text."""
+        if settings.voice is not None and is_voice_file(settings.voice):
+            return self._here.text(text, feelings, settings, goes_on)
+        return self._answer(self._here.text, text, feelings, settings, goes_on)
+
+    def voice(
+        self, phrases: Sequence[HeardPhrase], feelings: Displays, settings: Settings, goes_on: bool
+    ) -> Played:
+        """Perform phrases of a voice."""
+        return self._answer(self._here.voice, phrases, feelings, settings, goes_on)
+
+    def hear(self, phrase: VoicedPhrase, language: str) -> HeardPhrase:
+        """Return what a phrase says when."""
+        return self._answer(self._here.hear, phrase, language)
+
+    def _answer(self, task: Callable[..., Answer], *arguments: object) -> Answer:
+        try:
+            answer: Answer = self._process.ask(task.__name__, *arguments)
+        except LostError:
+            return task(*arguments)
+        return answer
+
+
+class Processes:
+    """The processes, and who performs in each."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._users: list[tuple[PerformerProcess, WeakSet[PerformerBeside]]] = []
+
+    def performer(self) -> Performer:
+        """Return a performer in the process with the fewest faces; a performer here if there can be none."""
+        with self._lock:
+            self._users = [(process, users) for process, users in self._users if not process.is_lost]
+            fewest = min((len(users) for _, users in self._users), default=_FACES)
+            if fewest >= _FACES and len(self._users) < (os.cpu_count() or 1):
+                try:
+                    self._users.append((PerformerProcess(), WeakSet()))
+                except (OSError, ValueError):
+                    return LocalPerformer()
+            process, users = min(self._users, key=lambda entry: len(entry[1]))
+            performer = PerformerBeside(process)
+            users.add(performer)
+            return performer
+
+
+_processes = Processes()
+
+
+def performer_beside() -> Performer:
+    """Return a performer in a process that several faces share; it is started if there is none."""
+    return _processes.performer()

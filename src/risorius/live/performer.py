@@ -1,0 +1,138 @@
+"""Performing what a turn says, and hearing a voice: here, in the thread that asks for it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from functools import cache, partial
+from typing import Protocol
+
+import numpy as np
+
+from ..core.arrays import Array
+from ..core.audio import Samples
+from ..errors import warnings_to
+from ..pipeline import perform as perform_input
+from ..rules.emotions import Displays
+from ..settings import Settings
+from ..speech import Input, SpokenBefore
+from ..take import Take
+from . import hearing
+from .hearing import HeardPhrase, Hearing
+from .voice import VoicedPhrase
+
+PerformSentence = Callable[[str, Displays, Settings, bool], Take]
+"""Performs a text with what is felt; the last says whether more will be said in the same turn."""
+
+
+def perform_sentence(
+    text: str,
+    feelings: Displays,
+    settings: Settings,
+    goes_on: bool = False,
+    before: SpokenBefore | None = None,
+) -> Take:
+    """Perform sentences as `speak` does; with `goes_on` more will be said, in the same turn.
+
+    What was spoken `before` is not spoken again; what is spoken is added to it.
+    """
+    given = Input(text, text=True, name="live", language=settings.language, goes_on=goes_on)
+    return perform_input(given, feelings, settings, before=before)
+
+
+@dataclass(frozen=True, slots=True)
+class Played:
+    """What is played of a take: the parameters' values (frames, parameters), its sound, and the second and
+    the character at which each word begins. `sample_rate` is None if there is no sound.
+    """
+
+    values: Array
+    samples: Samples
+    sample_rate: int | None
+    words: tuple[tuple[float, int], ...]
+
+
+def played(take: Take) -> Played:
+    """Return what is played of a take."""
+    samples, rate = np.zeros(0, np.int16), None
+    if take.audio is not None:
+        samples, rate = take.audio.read(), take.audio.sample_rate
+    said = () if take.utterance is None else take.utterance.words
+    words = tuple((word.start, word.source_start) for word in said)
+    return Played(take.performance.values, samples, rate, words)
+
+
+class Performer(Protocol):
+    """Performs for live faces. All methods may be called from any thread, and may raise RisoriusError."""
+
+    @property
+    def threads(self) -> int:
+        """How many threads may well ask at a time."""
+        ...
+
+    def text(self, text: str, feelings: Displays, settings: Settings, goes_on: bool) -> Played:
+        """Perform a text; with `goes_on` more will be said, in the same turn."""
+        ...
+
+    def voice(
+        self, phrases: Sequence[HeardPhrase], feelings: Displays, settings: Settings, goes_on: bool
+    ) -> Played:
+        """Perform phrases of a voice that follow one another."""
+        ...
+
+    def hear(self, phrase: VoicedPhrase, language: str) -> HeardPhrase:
+        """Return what a phrase of a voice says when."""
+        ...
+
+
+class LocalPerformer:
+    """Performs in the thread that asks, texts by `perform`.
+
+    It keeps what it has spoken lately: a turn that grows is spoken only where it has grown.
+    """
+
+    def __init__(self, perform: PerformSentence = perform_sentence) -> None:
+        self._before = SpokenBefore()
+        is_plain = perform is perform_sentence
+        self._perform = partial(perform_sentence, before=self._before) if is_plain else perform
+
+    @property
+    def threads(self) -> int:
+        """As many as there are processors."""
+        return os.cpu_count() or 1
+
+    def text(self, text: str, feelings: Displays, settings: Settings, goes_on: bool) -> Played:
+        """Perform a text."""
+        return played(self._perform(text, feelings, settings, goes_on))
+
+    def voice(
+        self, phrases: Sequence[HeardPhrase], feelings: Displays, settings: Settings, goes_on: bool
+    ) -> Played:
+        """Perform phrases of a voice."""
+        measure = self._before.pitch.measure
+        take = hearing.perform_voice(phrases, feelings, settings, goes_on=goes_on, measure=measure)
+        return played(take)
+
+    def hear(self, phrase: VoicedPhrase, language: str) -> HeardPhrase:
+        """Return what a phrase says when."""
+        with warnings_to(lambda line: None):
+            return hearing.hear_phrase(phrase, language)
+
+
+def hear_later(performer: Performer, phrase: VoicedPhrase, language: str, before: Hearing | None) -> Hearing:
+    """Hear a phrase in another thread, after the one before it, which may have left some of the text."""
+    return _threads(performer.threads).submit(_hear_after, performer, phrase, language, before)
+
+
+def _hear_after(
+    performer: Performer, phrase: VoicedPhrase, language: str, before: Hearing | None
+) -> HeardPhrase:
+    rest = "" if before is None else before.result().rest
+    return performer.hear(replace(phrase, text=rest + phrase.text), language)
+
+
+@cache
+def _threads(most: int) -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(most, "hear")

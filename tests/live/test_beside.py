@@ -1,0 +1,172 @@
+"""Performing beside the frames: the same as here, whatever becomes of the process."""
+
+from __future__ import annotations
+
+import gc
+import os
+import pickle
+import threading
+from collections.abc import Iterator
+from itertools import islice
+
+import numpy as np
+import pytest
+
+from risorius import Live
+from risorius.errors import RisoriusError, SpeechError, UnreadError
+from risorius.live import beside
+from risorius.live.beside import LostError, PerformerBeside, PerformerProcess
+from risorius.live.frame import LiveFrame
+from risorius.live.pace import Pace
+from risorius.live.performer import LocalPerformer, Played, perform_sentence
+from risorius.live.seam import SEAM
+from risorius.live.turn import TAIL
+from risorius.rules.emotions import Displays
+from risorius.settings import Settings
+from risorius.speech.engines.espeak import EspeakEngine
+from risorius.speech.engines.protocol import Rendition, SpeechRequest
+
+CHOSEN = Settings(lead=SEAM, tail=TAIL)
+
+
+@pytest.fixture(scope="module")
+def process() -> Iterator[PerformerProcess]:
+    """A process that has loaded."""
+    process = PerformerProcess()
+    while True:
+        try:
+            process.ask("text", "Oh.", (), CHOSEN, False)
+            break
+        except LostError:
+            assert not process.is_lost
+            threading.Event().wait(0.02)
+    yield process
+    process.close()
+
+
+def same(one: Played, other: Played) -> None:
+    np.testing.assert_array_equal(one.values, other.values)
+    np.testing.assert_array_equal(one.samples, other.samples)
+    assert (one.sample_rate, one.words) == (other.sample_rate, other.words)
+
+
+def test_it_performs_as_here_and_says_what_is_wrong(process: PerformerProcess) -> None:
+    performer, text = PerformerBeside(process), "I like it. Do you? "
+    for goes_on in (True, False):
+        here = LocalPerformer().text(text, (), CHOSEN, goes_on)
+        same(performer.text(text, (), CHOSEN, goes_on), here)
+    with pytest.raises(SpeechError, match="unknown voice"):
+        process.ask("text", "Oh.", (), Settings(voice="nobody"), False)
+    same(performer.text("Oh.", (), CHOSEN, False), LocalPerformer().text("Oh.", (), CHOSEN, False))
+
+
+def test_a_turn_that_grows_is_spoken_only_where_it_has_grown(monkeypatch: pytest.MonkeyPatch) -> None:
+    spoken, speak = [], EspeakEngine.speak
+
+    def counted(engine: EspeakEngine, request: SpeechRequest) -> Rendition:
+        spoken.append(request.text.strip())
+        return speak(engine, request)
+
+    monkeypatch.setattr(EspeakEngine, "speak", counted)
+    performer = LocalPerformer()
+    for text in ("I like it. ", "I like it. Do you? ", "I like it. Do you? I do. "):
+        grown = performer.text(text, (), CHOSEN, True)
+    # A sentence is spoken anew once another follows it: then it has its pause.
+    assert spoken == ["I like it.", "I like it.", "Do you?", "Do you?", "I do."]
+    same(grown, LocalPerformer().text("I like it. Do you? I do. ", (), CHOSEN, True))
+
+
+def test_a_process_that_ends_costs_nothing_but_time() -> None:
+    process = PerformerProcess()
+    # Loading still: it is performed here.
+    said = PerformerBeside(process).text("Oh.", (), CHOSEN, False)
+    process.close()
+    assert process.is_lost
+    same(PerformerBeside(process).text("Oh.", (), CHOSEN, False), said)
+    with pytest.raises(LostError):
+        process.ask("text", "Oh.", (), CHOSEN, False)
+
+
+class _Process:
+    """Stands for a process that is loading."""
+
+    started = 0
+
+    def __init__(self) -> None:
+        type(self).started += 1
+        self.is_lost = False
+
+    def ask(self, task: str, *arguments: object) -> Played:
+        raise LostError
+
+
+def test_faces_share_processes_and_a_lost_one_is_replaced(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(beside, "PerformerProcess", _Process)
+    monkeypatch.setattr(os, "cpu_count", lambda: 2)
+    _Process.started, processes = 0, beside.Processes()
+    faces = [processes.performer() for _ in range(4)]
+    assert _Process.started == 1
+    faces += [processes.performer() for _ in range(20)]
+    assert _Process.started == 2
+    used = [face._process for face in faces if isinstance(face, PerformerBeside)]
+    assert sorted(used.count(process) for process in set(used)) == [12, 12]
+    used[0].is_lost = True  # type: ignore[misc]
+    faces += [processes.performer()]
+    assert _Process.started == 3
+    del faces, used
+    gc.collect()
+    for _ in range(3):
+        processes.performer()
+    assert _Process.started == 3
+
+
+def test_where_no_process_can_be_started_it_is_performed_here(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refused() -> PerformerProcess:
+        raise OSError("no more processes")
+
+    monkeypatch.setattr(beside, "PerformerProcess", refused)
+    assert isinstance(beside.Processes().performer(), LocalPerformer)
+
+
+def test_a_paced_face_does_not_wait_for_what_joins_before_the_last_call(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """It joins as soon as it is performed, and where the turn would end otherwise it is waited for."""
+    monkeypatch.setattr(Pace, "wait", lambda *_: 0.0)
+    first, second = "I like it very much here, my dear friend. ", "Do you? "
+    joined, allowed = threading.Event(), threading.Event()
+
+    def perform(text: str, feelings: Displays, chosen: Settings, goes_on: bool):  # type: ignore[no-untyped-def]
+        if second.strip() in text:
+            joined.set()
+            assert allowed.wait(30)
+        return perform_sentence(text, feelings, chosen, goes_on)
+
+    def said(at: int | None) -> list[LiveFrame]:
+        joined.clear()
+        allowed.set() if at is None else allowed.clear()
+        face = Live(perform=perform)
+        face.say(first + "Do")
+        iterator = face.frames(paced=True)
+        frames = list(islice(iterator, 5))
+        face.say(" you? ")
+        face.close()
+        while at is not None and len(frames) < at:
+            frames.append(next(iterator))
+        assert at is None or joined.wait(30)
+        allowed.set()
+        return frames + list(iterator)
+
+    (early, late) = said(None), said(40)
+    assert len(early) == len(late)
+    np.testing.assert_array_equal([f.sound for f in late[:-1]], [f.sound for f in early[:-1]])
+    np.testing.assert_allclose([f.values for f in late[50:]], [f.values for f in early[50:]], atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    "error", [SpeechError("it ended"), UnreadError(["lead"], "nothing reads it"), RisoriusError("a" * 300)]
+)
+def test_errors_come_through_as_they_are(error: RisoriusError) -> None:
+    again = pickle.loads(pickle.dumps(error))
+    assert type(again) is type(error)
+    assert (str(again), vars(again)) == (str(error), vars(error))
