@@ -14,7 +14,7 @@ from risorius import Live, Settings, speak
 from risorius.errors import HeadError
 from risorius.live.seam import SEAM
 from risorius.live.turn import TAIL
-from risorius.live.weights import LiveWeights, Solvers
+from risorius.live.weights import LiveSolvers, LiveWeights
 
 
 def test_weights_are_those_of_the_performance() -> None:
@@ -42,7 +42,7 @@ def test_frames_may_be_left_out() -> None:
 
 def test_who_has_waited_longest_for_a_solver_is_next(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(os, "cpu_count", lambda: 1)
-    solvers, order, waiting = Solvers(Settings()), [], []
+    solvers, order, waiting = LiveSolvers(Settings()), [], []
 
     def solve(name: int) -> None:
         with solvers.one():

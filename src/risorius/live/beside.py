@@ -23,7 +23,7 @@ from ..rules.emotions import Displays
 from ..settings import Settings
 from ..speech.engines.registry import is_voice_file
 from .hearing import HeardPhrase
-from .performer import LocalPerformer, Performer, Played
+from .performer import LocalPerformer, Played, TurnPerformer
 from .voice import VoicedPhrase
 from .worker import READY
 
@@ -35,7 +35,7 @@ _THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA
 # Faces that share a process before another is started, up to one for each processor; threads that may wait.
 _FACES, _WAITING = 4, 32
 
-Answer = TypeVar("Answer")
+Answered = TypeVar("Answered")
 
 
 class LostError(Exception):
@@ -136,9 +136,9 @@ class PerformerBeside:
         """Return what a phrase says when."""
         return self._answer(self._here.hear, phrase, language)
 
-    def _answer(self, task: Callable[..., Answer], *arguments: object) -> Answer:
+    def _answer(self, task: Callable[..., Answered], *arguments: object) -> Answered:
         try:
-            answer: Answer = self._process.ask(task.__name__, *arguments)
+            answer: Answered = self._process.ask(task.__name__, *arguments)
         except LostError:
             return task(*arguments)
         return answer
@@ -151,7 +151,7 @@ class Processes:
         self._lock = threading.Lock()
         self._users: list[tuple[PerformerProcess, WeakSet[PerformerBeside]]] = []
 
-    def performer(self) -> Performer:
+    def performer(self) -> TurnPerformer:
         """Return a performer in the process with the fewest faces; a performer here if there can be none."""
         with self._lock:
             self._users = [(process, users) for process, users in self._users if not process.is_lost]
@@ -170,6 +170,6 @@ class Processes:
 _processes = Processes()
 
 
-def performer_beside() -> Performer:
+def performer_beside() -> TurnPerformer:
     """Return a performer in a process that several faces share; it is started if there is none."""
     return _processes.performer()

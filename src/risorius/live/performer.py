@@ -18,6 +18,8 @@ from ..pipeline import perform as perform_input
 from ..rules.emotions import Displays
 from ..settings import Settings
 from ..speech import Input, SpokenBefore
+from ..speech.engines.registry import is_voice_file, load_engine
+from ..speech.engines.voices import find_voice
 from ..take import Take
 from . import hearing
 from .hearing import HeardPhrase, Hearing
@@ -42,6 +44,13 @@ def perform_sentence(
     return perform_input(given, feelings, settings, before=before)
 
 
+def language_spoken(settings: Settings) -> str:
+    """Return the code of the language that is spoken."""
+    if settings.language is not None or settings.voice is None or is_voice_file(settings.voice):
+        return settings.language or "en-us"
+    return find_voice(settings.voice, None, load_engine()).language
+
+
 @dataclass(frozen=True, slots=True)
 class Played:
     """What is played of a take: the parameters' values (frames, parameters), its sound, and the second and
@@ -64,7 +73,7 @@ def played(take: Take) -> Played:
     return Played(take.performance.values, samples, rate, words)
 
 
-class Performer(Protocol):
+class TurnPerformer(Protocol):
     """Performs for live faces. All methods may be called from any thread, and may raise RisoriusError."""
 
     @property
@@ -121,13 +130,15 @@ class LocalPerformer:
             return hearing.hear_phrase(phrase, language)
 
 
-def hear_later(performer: Performer, phrase: VoicedPhrase, language: str, before: Hearing | None) -> Hearing:
+def hear_later(
+    performer: TurnPerformer, phrase: VoicedPhrase, language: str, before: Hearing | None
+) -> Hearing:
     """Hear a phrase in another thread, after the one before it, which may have left some of the text."""
     return _threads(performer.threads).submit(_hear_after, performer, phrase, language, before)
 
 
 def _hear_after(
-    performer: Performer, phrase: VoicedPhrase, language: str, before: Hearing | None
+    performer: TurnPerformer, phrase: VoicedPhrase, language: str, before: Hearing | None
 ) -> HeardPhrase:
     rest = "" if before is None else before.result().rest
     return performer.hear(replace(phrase, text=rest + phrase.text), language)

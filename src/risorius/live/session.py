@@ -24,8 +24,6 @@ from ..errors import InputError, ParameterError, UnreadError, check_number, unkn
 from ..pipeline import with_profile
 from ..rules.emotions import Displays, emotion_names
 from ..settings import Settings
-from ..speech.engines.registry import is_voice_file, load_engine
-from ..speech.engines.voices import find_voice
 from .beside import performer_beside
 from .frame import LiveFrame
 from .idle import IDLE_SECONDS, idle_take
@@ -35,9 +33,10 @@ from .looking import Looking, direction_of
 from .pace import Pace
 from .performer import (
     LocalPerformer,
-    Performer,
     PerformSentence,
+    TurnPerformer,
     hear_later,
+    language_spoken,
     perform_sentence,
     played,
 )
@@ -93,11 +92,11 @@ class Live:
             raise UnreadError(changed, "a live face has pauses of its own; expected none")
         self._settings = replace(chosen, lead=SEAM, tail=TAIL)
         self._idle_settings = with_profile(self._settings)
-        self._performer: Performer = LocalPerformer(perform)
+        self._performer: TurnPerformer = LocalPerformer(perform)
         # Whether it may perform in another process.
         self._is_plain = perform is perform_sentence
         self._weights = _weights(self._settings) if arkit else None
-        language = _language(chosen)
+        language = language_spoken(chosen)
         self._waiting = WaitingSentences(
             language, lambda phrase, before: hear_later(self._performer, phrase, language, before)
         )
@@ -401,10 +400,3 @@ def _weights(settings: Settings) -> LiveWeights:
     from .weights import LiveWeights
 
     return LiveWeights(settings)
-
-
-def _language(settings: Settings) -> str:
-    """Return the code of the language that is spoken."""
-    if settings.language is not None or settings.voice is None or is_voice_file(settings.voice):
-        return settings.language or "en-us"
-    return find_voice(settings.voice, None, load_engine()).language

@@ -14,7 +14,7 @@ from ..errors import RisoriusError
 from ..rules.emotions import Displays
 from ..settings import Settings
 from .hearing import texts_of
-from .performer import Performer, Played
+from .performer import Played, TurnPerformer
 from .waiting import MOST_SENTENCES, LiveSentence
 
 TAIL = 0.35
@@ -78,7 +78,7 @@ class TurnPlan:
     `rate` is that of a turn without sound.
     """
 
-    performer: Performer
+    performer: TurnPerformer
     settings: Settings
     feelings: Displays
     first: int

@@ -79,7 +79,7 @@ class LiveWeights:
         self._springs.run(self._before + shares[:, None] * (values - self._before))
 
 
-class Solvers:
+class LiveSolvers:
     """The solvers of one head: as many as solve at a time, at most one for each processor.
 
     Who has waited longest is next: a face that is late, and asks again at once, must not make others late.
@@ -129,7 +129,7 @@ class Solvers:
 _making = Lock()
 
 
-def _solvers_of(settings: Settings) -> Solvers:
+def _solvers_of(settings: Settings) -> LiveSolvers:
     with _making:
         return _made(
             settings.head, settings.age, settings.dynamics, _items(settings.shape), _items(settings.wrinkles)
@@ -143,8 +143,8 @@ def _made(
     dynamics: str,
     shape: tuple[tuple[str, float], ...],
     wrinkles: tuple[tuple[str, float], ...],
-) -> Solvers:
-    return Solvers(
+) -> LiveSolvers:
+    return LiveSolvers(
         Settings(head=head, age=age, dynamics=dynamics, shape=dict(shape), wrinkles=dict(wrinkles))
     )
 
