@@ -120,6 +120,11 @@ class PerformerBeside:
         """Many: all but one wait."""
         return _WAITING
 
+    @property
+    def may_move(self) -> bool:
+        """It has moved."""
+        return False
+
     def text(self, text: str, feelings: Displays, settings: Settings, goes_on: bool) -> Played:
         """Perform a text."""
         if settings.voice is not None and is_voice_file(settings.voice):

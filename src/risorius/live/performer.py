@@ -81,6 +81,11 @@ class TurnPerformer(Protocol):
         """How many threads may well ask at a time."""
         ...
 
+    @property
+    def may_move(self) -> bool:
+        """Whether another process could do the same, and does not yet."""
+        ...
+
     def text(self, text: str, feelings: Displays, settings: Settings, goes_on: bool) -> Played:
         """Perform a text; with `goes_on` more will be said, in the same turn."""
         ...
@@ -104,13 +109,18 @@ class LocalPerformer:
 
     def __init__(self, perform: PerformSentence = perform_sentence) -> None:
         self._before = SpokenBefore()
-        is_plain = perform is perform_sentence
-        self._perform = partial(perform_sentence, before=self._before) if is_plain else perform
+        self._is_plain = perform is perform_sentence
+        self._perform = partial(perform_sentence, before=self._before) if self._is_plain else perform
 
     @property
     def threads(self) -> int:
         """As many as there are processors."""
         return os.cpu_count() or 1
+
+    @property
+    def may_move(self) -> bool:
+        """Whether no other `perform` was given."""
+        return self._is_plain
 
     def text(self, text: str, feelings: Displays, settings: Settings, goes_on: bool) -> Played:
         """Perform a text."""

@@ -93,8 +93,6 @@ class Live:
         self._settings = replace(chosen, lead=SEAM, tail=TAIL)
         self._idle_settings = with_profile(self._settings)
         self._performer: TurnPerformer = LocalPerformer(perform)
-        # Whether it may perform in another process.
-        self._is_plain = perform is perform_sentence
         self._weights = _weights(self._settings) if arkit else None
         language = language_spoken(chosen)
         self._waiting = WaitingSentences(
@@ -251,8 +249,8 @@ class Live:
     def _set_waiting(self, waits: bool) -> None:
         """Let frames wait for what is being heard, or come in time: then a process beside performs."""
         self._waits = waits
-        if self._is_plain and not waits:
-            self._is_plain, self._performer = False, performer_beside()
+        if self._performer.may_move and not waits:
+            self._performer = performer_beside()
 
     def _frame(self) -> LiveFrame | None:
         stretch = self._current()
