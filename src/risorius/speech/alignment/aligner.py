@@ -63,9 +63,16 @@ def located(
     """Return where in a recording the phones of its transcript are; raises and warns as `align` does."""
     resampled = Resampled(audio)
     spoken, words = read_transcript(transcript, language)
-    stretches = decoded(resampled, [word.readings for word in words], progress)
-    aligned = [phone for stretch in stretches for phone in refined(resampled, stretch)]
-    check_words(words, [phone for stretch in stretches for phone in stretch])
+    readings = [word.readings for word in words]
+
+    def work(decoders: Decoders) -> list[tuple[list[AlignedPhone], list[AlignedPhone]]]:
+        # A stretch is refined while the next is decoded.
+        found = _stretches(resampled, readings, decoders, progress)
+        return [(stretch, refined(resampled, stretch)) for stretch in found]
+
+    stretches = with_decoders(work)
+    aligned = [phone for _, stretch in stretches for phone in stretch]
+    check_words(words, [phone for stretch, _ in stretches for phone in stretch])
     return Located(owned(aligned, words), words, spoken.language)
 
 

@@ -8,7 +8,6 @@ its stress in context, and gives a reading to words out of the dictionary. The w
 from __future__ import annotations
 
 import functools
-import re
 from collections.abc import Iterator, Sequence
 from itertools import islice, product
 from typing import NamedTuple
@@ -20,7 +19,6 @@ from .decoder import MODEL_LANGUAGE, Reading, Readings, dictionary_path
 
 MOST_READINGS = 8
 _CURLY = str.maketrans("\u2019\u02bc\u2010\u2011", "''--")
-_ALTERNATIVE = re.compile(r"\(\d+\)$")
 
 
 class OwnPhone(NamedTuple):
@@ -92,7 +90,7 @@ def written_readings(text: str) -> Readings:
     plain = text.translate(_CURLY)
     if numbers := language_of(MODEL_LANGUAGE).number_readings(plain):
         return _first(reading for words in numbers for reading in _read_all(words.split()))
-    readings = [*_dictionary().get(plain.lower(), ())]
+    readings = [*_entry(plain.lower())]
     if len(plain) > 1 and plain.isupper() and plain.isalpha():
         readings += _read_all(list(plain))
     if not readings and "-" in plain:
@@ -106,18 +104,24 @@ def _first(readings: Iterator[Reading]) -> Readings:
 
 def _read_all(words: Sequence[str]) -> list[Reading]:
     """Return the readings of words in a row; none if one of them is not in the dictionary."""
-    known = [_dictionary().get(word.lower(), ()) for word in words]
+    known = [tuple(_entry(word.lower())) for word in words]
     return [
         tuple(phone for part in parts for phone in part) for parts in islice(product(*known), MOST_READINGS)
     ]
 
 
+def _entry(word: str) -> Iterator[Reading]:
+    """Yield the readings of a word in the dictionary: "read", "read(2)" …"""
+    entries, number = _dictionary(), 1
+    phones = None if "(" in word else entries.get(word)
+    while phones is not None:
+        yield tuple(phones.split())
+        number += 1
+        phones = entries.get(f"{word}({number})")
+
+
 @functools.cache
-def _dictionary() -> dict[str, Readings]:
-    entries: dict[str, Readings] = {}
-    with dictionary_path().open(encoding="utf-8") as lines:
-        for line in lines:
-            word, *phones = line.split()
-            name = _ALTERNATIVE.sub("", word)
-            entries[name] = (*entries.get(name, ()), tuple(phones))
-    return entries
+def _dictionary() -> dict[str, str]:
+    """Return each entry's phones; most are never asked for, and are not divided."""
+    lines = dictionary_path().read_text(encoding="utf-8").splitlines()
+    return dict(line.split(None, 1) for line in lines)
