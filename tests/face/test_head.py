@@ -83,6 +83,22 @@ class TestInvalid:
         with pytest.raises(HeadError, match=r"'field/risorius\.left/vertices' is missing"):
             load_head(spoilt(lambda a: a.pop("field/risorius.left/vertices")))
 
+    def test_joint_field_of_an_unknown_muscle(self, spoilt: Callable[..., Path]) -> None:
+        def change(arrays: Arrays) -> None:
+            for part in ("vertices", "values", "scale"):
+                old = f"joint/triangularis.left+risorius.left/{part}"
+                arrays[f"joint/triangularis.left+buccinator.left/{part}"] = arrays.pop(old)
+
+        with pytest.raises(HeadError, match=r"is not named by two parameters; expected joint/FIRST\+SECOND"):
+            load_head(spoilt(change))
+
+    def test_a_file_without_joint_fields_has_none(self, spoilt: Callable[..., Path]) -> None:
+        def change(arrays: Arrays) -> None:
+            for name in [name for name in arrays if name.startswith("joint/")]:
+                del arrays[name]
+
+        assert load_head(spoilt(change)).joint == {}
+
     @pytest.mark.parametrize(
         ("name", "value", "message"),
         [

@@ -1,14 +1,32 @@
 from __future__ import annotations
 
 import itertools
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from risorius.core.parameters import INDEX, MUSCLES, PARAMETERS
-from risorius.face.muscles import ELSEWHERE, EXCESS, FREE_EXCESS, SHEETS, DisplacedSkin, MuscleFields
+from risorius.errors import HeadError
+from risorius.face.muscles import (
+    ELSEWHERE,
+    EXCESS,
+    FREE_EXCESS,
+    HALF,
+    SHEETS,
+    DisplacedSkin,
+    MuscleFields,
+)
 
 from .conftest import values_of
+
+PRESSER = "orbicularis_oris_presser"
+
+
+def moved(head, **targets):
+    out = np.full_like(head.rest, np.nan)
+    MuscleFields.of(head).displace(values_of(targets), out)
+    return out
 
 
 @pytest.fixture(scope="module")
@@ -93,6 +111,35 @@ def test_any_two_muscles_overshoot_the_larger_by_little(displaced):
     for a, b in itertools.combinations(bases, 2):
         over = np.linalg.norm(displaced(**{a: 1.0, b: 1.0}), axis=1) - np.maximum(length[a], length[b])
         assert over.max() <= EXCESS + 1e-9, (a, b)
+
+
+@pytest.mark.parametrize(("first", "second"), [("risorius", "triangularis"), (PRESSER, "mentalis")])
+def test_what_two_muscles_move_together_needs_both_in_part(displaced, head, first, second):
+    joint = np.zeros_like(head.rest)
+    for pair, field in head.joint.items():
+        if {name.partition(".")[0] for name in pair} == {first, second}:
+            joint[field.vertices] += field.displacement
+    assert np.linalg.norm(joint, axis=1).max() > 2.0
+    plain = replace(head, joint={})
+    shares = []
+    for a, b in ((0.0, 1.0), (1.0, 0.0), (1.0, 1.0), (0.1, 0.3), (HALF, HALF), (0.3, 0.3)):
+        added = displaced(**{first: a, second: b}) - moved(plain, **{first: a, second: b})
+        shares.append(float((added * joint).sum() / (joint * joint).sum()))
+    assert shares[:3] == [0.0, 0.0, 0.0]
+    assert 0.2 < shares[3] < shares[4] < shares[5] < 0.8
+
+
+def test_a_side_alone_leaves_the_joint_field_of_the_other(displaced):
+    found = displaced(**{"risorius.left": 0.3, "triangularis.right": 0.3})
+    apart = displaced(**{"risorius.left": 0.3}) + displaced(**{"triangularis.right": 0.3})
+    assert np.abs(found - apart).max() < 0.5
+
+
+def test_more_joint_fields_than_there_are_bits_are_refused(head):
+    field = next(iter(head.joint.values()))
+    many = {(first.name, second.name): field for first, second in itertools.combinations(MUSCLES[:8], 2)}
+    with pytest.raises(HeadError, match="28 joint fields; expected at most 18"):
+        MuscleFields.of(replace(head, joint=many))
 
 
 def test_the_cap_sets_in_without_a_jump(displaced):

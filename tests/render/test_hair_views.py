@@ -30,7 +30,7 @@ def test_leaving_out_hidden_hairs_hardly_changes_what_is_seen(drawn, face, angle
     finally:
         drawn._hair_views = views
     kept = seen(drawn, frame)
-    assert len(np.setdiff1d(everything, kept)) < 0.1 * len(everything)
+    assert len(np.setdiff1d(everything, kept)) < 0.12 * len(everything)
     assert (drawn._buffer.ids != whole).mean() < 0.007
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from risorius.core.arrays import AnyArray
-from risorius.face.head_file import FORMAT
+from risorius.face.head_file import FORMAT, JOINT
 from risorius.face.identity import Identity
 
 from .bite import Bite, find_bite
@@ -20,7 +20,7 @@ from .lids import clear_of_eyes, lid_pairs
 from .lining import lining
 from .masks import masks, neck_weight
 from .mouth import LipSeal, lip_pairs
-from .muscles import muscle_fields, read_recipes
+from .muscles import joint_fields, muscle_fields, read_recipes
 from .pack import quantized, settled, short
 from .source import Source
 from .teeth import build_teeth, incisor_edge
@@ -92,7 +92,9 @@ def build(shape: Shape, recipes: Path) -> dict[str, AnyArray]:
     bust, rest, bite = shape.bust, shape.rest, shape.bite
     template = shape.template or shape
     terms = Terms(bust, shape.jaw.weight)
-    fields = muscle_fields(bust, rest, shape.seal, terms, read_recipes(recipes))
+    table = read_recipes(recipes)
+    fields = muscle_fields(bust, rest, shape.seal, terms, table)
+    joint = joint_fields(bust, rest, shape.seal, terms, table, fields)
     edge = bite.place(incisor_edge(template.bite.line)[None])[0]
     fields["lip_tuck"] = tuck(rest, fields["lip_tuck"], shape.seal, shape.jaw, edge)
     return {
@@ -100,6 +102,7 @@ def build(shape: Shape, recipes: Path) -> dict[str, AnyArray]:
         **_skin(shape),
         **_jaw(shape.jaw),
         **packed({f"field/{name}": field for name, field in fields.items()}),
+        **packed({f"{JOINT}{name}": field for name, field in joint.items()}),
         **_teeth(template.bite.line, bite),
         **_tongue(template.bust, bite),
         **_landmarks(shape),

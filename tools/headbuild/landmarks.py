@@ -12,8 +12,8 @@ from .lids import lid_pairs, margin
 from .mouth import VERMILION, LipSeal
 from .pack import NOISE
 
-# The middle line of the left brow: |x| and y in mm, from the inner to the outer end.
-BROW = np.array([[9.5, 15.0], [18.5, 18.5], [28.0, 20.8], [38.0, 20.8], [47.0, 17.4]])
+# The middle line of the left brow as it is drawn: |x| and y in mm, from the inner to the outer end.
+BROW = np.array([[10.5, 18.4], [19.5, 21.2], [29.0, 23.2], [38.5, 23.6], [48.5, 21.8]])
 _CHIN_FORWARD = 0.6
 _THROAT = -120.0  # y in mm below which no chin is looked for
 _MIRROR = np.array([-1.0, 1.0, 1.0])

@@ -13,15 +13,18 @@ from scipy.sparse.linalg import splu
 
 from risorius.core.arrays import AnyArray
 from risorius.core.parameters import MUSCLES
+from risorius.face.head_file import AND
+from risorius.face.muscles import joint_share
 
 from .bust import Bust
 from .folds import unfolded
 from .lids import close_lids, lid_pairs
 from .masks import smoothstep
 from .mouth import LipSeal, lip_rings, narrowed
-from .terms import FLESH, Terms, read_terms
+from .terms import FLESH, Terms, of_one, partners, read_terms
 
 SIDES = ("left", "right")
+_BOTH = 0.3  # activation of both muscles at which the lips of a joint field are made to touch
 _SEAM = 8.0  # half width in mm of the ramp that splits a shape of both sides
 _GLABELLA = (-6.0, 18.0)  # |x| in mm between which the skin between the brows passes into the brow
 
@@ -117,17 +120,66 @@ def muscle_fields(
         if name in paired:
             left = _field(bust, rest, recipe, "left")
             left = 0.5 * (left + mirrored(bust, _field(bust, rest, recipe, "right")))
-            left = left + terms.field(recipe["terms"]) * _left_share(bust.places)
+            left = left + terms.field(of_one(recipe["terms"])) * _left_share(bust.places)
             change = _lips_change(bust, rest, seal, left + mirrored(bust, left), recipe)
             left = _with_room(bust, rest, left + change * _left_share(bust.places), recipe)
             fields[f"{name}.left"], fields[f"{name}.right"] = left, mirrored(bust, left)
         else:
             both = sum((_field(bust, rest, recipe, side) for side in SIDES), np.zeros_like(rest))
-            both = 0.5 * (both + mirrored(bust, both)) + terms.field(recipe["terms"])
+            both = 0.5 * (both + mirrored(bust, both)) + terms.field(of_one(recipe["terms"]))
             both = narrowed(bust, rest + both, recipe["narrow"]) - rest
             both = both + _lips_change(bust, rest, seal, both, recipe)
             fields[name] = _with_room(bust, rest, both, recipe)
     return fields
+
+
+def joint_fields(
+    bust: Bust,
+    rest: AnyArray,
+    seal: LipSeal,
+    terms: Terms,
+    recipes: dict[str, dict[str, Any]],
+    fields: dict[str, AnyArray],
+) -> dict[str, AnyArray]:
+    """Displacement (N0, 3) in mm of what two muscles move only together, of each side, by both names.
+
+    `fields` are those of the muscles alone. The lips touch while both act by `_BOTH`, if one of them alone
+    keeps them so.
+    """
+    found = {}
+    for name, recipe in recipes.items():
+        for other, rows in partners(recipe["terms"]).items():
+            names = {side: [_of_side(fields, base, side) for base in (name, other)] for side in SIDES}
+            left = terms.field(rows) * _left_share(bust.places)
+            if "together" in (recipe["lips"], recipes[other]["lips"]):
+                alone = sum(fields[n] for n in dict.fromkeys((*names["left"], *names["right"])))
+                share = joint_share(_BOTH, _BOTH)
+                both = _BOTH * alone + share * (left + mirrored(bust, left))
+                change = seal.together(rest + both) - rest - both
+                left += change / share * _left_share(bust.places)
+            for side, field in (("left", left), ("right", mirrored(bust, left))):
+                found[AND.join(names[side])] = field
+    return found
+
+
+def posed_field(
+    bust: Bust, fields: dict[str, AnyArray], joint: dict[str, AnyArray], pose: dict[str, float], side: str
+) -> AnyArray:
+    """Displacement (N0, 3) in mm of one side by muscles that act together, by name without side."""
+    share = _left_share(bust.places) if side == "left" else 1.0 - _left_share(bust.places)
+    amounts = {_of_side(fields, base, side): amount for base, amount in pose.items()}
+    total = np.zeros_like(bust.places)
+    for name, amount in amounts.items():
+        total += amount * fields[name] * (1.0 if name.endswith(side) else share)
+    for pair, field in joint.items():
+        first, second = (amounts.get(name, 0.0) for name in pair.split(AND))
+        total += joint_share(first, second) * field
+    return total
+
+
+def _of_side(fields: dict[str, AnyArray], base: str, side: str) -> str:
+    sided = f"{base}.{side}"
+    return sided if sided in fields else base
 
 
 def _with_room(bust: Bust, rest: AnyArray, field: AnyArray, recipe: dict[str, Any]) -> AnyArray:

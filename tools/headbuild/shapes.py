@@ -11,7 +11,7 @@ from risorius.core.arrays import AnyArray
 from risorius.face.head_file import FORMAT
 
 from .build import Shape
-from .muscles import ironed, muscle_fields, read_recipes
+from .muscles import SIDES, ironed, joint_fields, muscle_fields, posed_field, read_recipes
 from .pack import quantized
 from .terms import Terms
 
@@ -29,6 +29,11 @@ MUSCLES = {
     "mouthUpperUp": ("levator_labii_superioris", "zygomatic_minor"),
     "mouthShrugLower": ("mentalis",),
 }
+# Shapes of two muscles that act together (rows of `flesh.toml` with another one), as AU14 and AU24 are.
+POSES = {
+    "mouthDimple": {"zygomatic_major": 0.25, "risorius": 0.25, "triangularis": 0.25},
+    "mouthPress": {"orbicularis_oris_presser": 0.4, "mentalis": 0.4},
+}
 # Apple's lips are rounded apart in mouthFunnel, closed in mouthPucker: one muscle, and contact.
 FUNNEL, PUCKER = "mouthFunnel", "mouthPucker"
 _ROUNDING = "orbicularis_oris_funneler"
@@ -42,11 +47,16 @@ def build_shapes(shape: Shape, recipes: Path) -> dict[str, AnyArray]:
     Sharp folds of a sculpt are ironed out as in the muscles made from it (`recipes`): both are one face.
     """
     bust, stiffness = shape.bust, _stiffness(recipes)
-    muscles = muscle_fields(
-        bust, shape.rest, shape.seal, Terms(bust, shape.jaw.weight), read_recipes(recipes)
-    )
+    terms, table = Terms(bust, shape.jaw.weight), read_recipes(recipes)
+    muscles = muscle_fields(bust, shape.rest, shape.seal, terms, table)
+    joint = joint_fields(bust, shape.rest, shape.seal, terms, table, muscles)
     rounded = muscles[_ROUNDING]
     lips = {FUNNEL: rounded, PUCKER: shape.seal.together(shape.rest + rounded) - shape.rest}
+    lips |= {
+        name + side.capitalize(): posed_field(bust, muscles, joint, pose, side)
+        for name, pose in POSES.items()
+        for side in SIDES
+    }
     teeth = bust.source.parts[_TEETH].vertices
     arrays = {
         "format": np.array(FORMAT, np.int32),

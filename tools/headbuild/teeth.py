@@ -54,7 +54,7 @@ class Part:
 # Mean crowns of permanent teeth (width, height, thickness as in dental anatomy); edges set for this face.
 _UPPER = (
     Crown(8.5, 10.5, 6.4, 0.3, 0),
-    Crown(6.6, 9.4, 5.6, -0.5, 0),
+    Crown(6.6, 9.6, 5.6, -0.3, 0),
     Crown(7.5, 10.2, 7.4, 0.2, 1),
     Crown(7.0, 8.8, 8.6, -0.8, 2),
     Crown(6.9, 8.4, 8.6, -1.2, 2),
@@ -77,7 +77,7 @@ _UPPER_EDGE, _LOWER_EDGE = 2.2, 0.4
 
 def build_teeth(line: float) -> dict[str, Part]:
     """Upper and lower teeth with their gums for lips that meet at the height `line` (mm) at rest."""
-    lower = Row(Arch(17.7, 0.0385), line - _LOWER_EDGE, -1.0, _LOWER)
+    lower = Row(Arch(17.7, 0.0315), line - _LOWER_EDGE, -1.0, _LOWER)
     return {"teeth_upper": _row(_upper(line)), "teeth_lower": _row(lower)}
 
 
@@ -88,7 +88,7 @@ def incisor_edge(line: float) -> AnyArray:
 
 
 def _upper(line: float) -> Row:
-    return Row(Arch(20.4, 0.0325), line - _UPPER_EDGE, 1.0, _UPPER)
+    return Row(Arch(20.4, 0.0265), line - _UPPER_EDGE, 1.0, _UPPER)
 
 
 def _row(row: Row) -> Part:
@@ -113,7 +113,7 @@ def _crown(row: Row, centre: float, crown: Crown, side: float) -> tuple[AnyArray
     """Rings from the neck (below the gum's margin) to the edge, closed by one vertex."""
     half, height, thick = (SCALE * v for v in (crown.width / 2.0, crown.height, crown.thickness))
     levels = np.array([-0.25, 0.0, 0.2, 0.42, 0.64, 0.82, 0.92, 0.975, 1.0])
-    shrink = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.985, 0.91, 0.66])
+    shrink = np.array([1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.995, 0.96, 0.8])
     angle = np.arange(_AROUND) * 2.0 * np.pi / _AROUND
     across, out = _superellipse(angle, 2.6 if crown.cusps < 2 else 3.0)
     points = []
@@ -163,9 +163,9 @@ def _depths(crown: Crown, thick: float, t: float) -> tuple[float, float]:
 def _relief(crown: Crown, u: AnyArray, v: AnyArray, height: float) -> AnyArray:
     """How far the edge rises or falls: rounded corners, the canine's point, the cusps."""
     if crown.cusps == 0:
-        return -0.05 * height * np.abs(u) ** 4
+        return -0.025 * height * np.abs(u) ** 4
     if crown.cusps == 1:
-        return -0.14 * height * np.abs(u) ** 1.3
+        return -0.09 * height * np.abs(u) ** 1.3
     ridges = np.cos(np.pi * u) if crown.cusps == 2 else -np.cos(2.0 * np.pi * u)
     return 0.05 * height * ridges * np.sign(np.abs(v) - 0.1) - 0.08 * height * (np.abs(v) < 0.2)
 

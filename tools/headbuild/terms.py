@@ -18,6 +18,7 @@ from .masks import smoothstep
 
 FLESH = "flesh.toml"
 _KEYS = ("what", "place", "size", "move", "skin")
+_WITH = "with"  # optional: the other muscle of a joint term
 _SKINS = ("all", "upper", "lower")
 _END = 0.02  # height of the bell, of 1, at which it ends: far skin stays
 _MIDDLE = 6.0  # mm from the middle within which the sideways movement grows from nothing
@@ -34,8 +35,10 @@ def read_terms(path: Path, muscles: Collection[str]) -> dict[str, list[dict[str,
         if name not in muscles:
             raise ValueError(f"{path.name}: unknown muscle '{name}'")
         for row in rows:
-            if wrong := sorted(set(row) ^ set(_KEYS)):
+            if wrong := sorted((set(row) - {_WITH}) ^ set(_KEYS)):
                 raise ValueError(f"{path.name}: {name}: key '{wrong[0]}'; expected {', '.join(_KEYS)}")
+            if row.get(_WITH, name) not in muscles or row.get(_WITH) == name:
+                raise ValueError(f"{path.name}: {name}: '{row[_WITH]}' is not another muscle")
             if row["skin"] not in _SKINS:
                 raise ValueError(f"{path.name}: {name}: skin must be one of {', '.join(_SKINS)}")
     return terms
@@ -79,3 +82,14 @@ class Terms:
     def _skins(self) -> dict[str, AnyArray]:
         lower = smoothstep(*_JAW, self.jaw_weight)
         return {"all": np.ones_like(lower), "upper": 1.0 - lower, "lower": lower}
+
+
+def of_one(terms: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Those of a muscle's terms that act with this muscle alone."""
+    return [term for term in terms if _WITH not in term]
+
+
+def partners(terms: list[dict[str, Any]]) -> dict[str, list[dict[str, Any]]]:
+    """Those that act only while another muscle contracts too, by that muscle."""
+    names = dict.fromkeys(term[_WITH] for term in terms if _WITH in term)
+    return {name: [term for term in terms if term.get(_WITH) == name] for name in names}

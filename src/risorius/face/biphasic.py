@@ -13,9 +13,8 @@ import numpy as np
 from ..core.arrays import Array, IndexArray, UInt32Array
 from ..core.kernels.jit import kernel
 from ..core.mesh_sides import edges
-from ..core.parameters import INDEX, PARAMETERS
-from .head import Head
-from .muscles import ELSEWHERE, MuscleFields
+from .head import Field, Head
+from .muscles import MuscleFields, fields_of
 from .network import Network, pull
 from .stiffness import NEIGHBOUR
 
@@ -46,14 +45,15 @@ class Biphasic:
         self._edge = np.zeros((len(border), 3))
         self._factor = network.factor(self.stiffest, 0.0)
         self._work = np.zeros((len(network.free), 4))
-        acting = [p.name for p in PARAMETERS if p.name in head.fields and p.base not in ELSEWHERE]
-        self._columns = np.array([INDEX[name] for name in acting])
-        self._forces = np.stack([self._force_of(head, name, points) for name in acting])
+        self._fields = fields
+        rows = fields_of(head)
+        self._columns = np.array([row.column for row in rows])
+        self._forces = np.stack([self._force_of(head, row.field, points) for row in rows])
 
-    def _force_of(self, head: Head, name: str, points: IndexArray) -> Array:
+    def _force_of(self, head: Head, field: Field, points: IndexArray) -> Array:
         """Return the force (r, 4) of the second phase that holds the field of a muscle at 1."""
         whole = np.zeros((len(head.rest), 4))
-        whole[head.fields[name].vertices, :3] = head.fields[name].displacement
+        whole[field.vertices, :3] = field.displacement
         out = np.zeros_like(self._work)
         _second_phase(self._ends, self._length, whole[points], -1.0, out)
         return out
@@ -67,9 +67,10 @@ class Biphasic:
         self._points[: len(place)] = place
         self._points[len(place) :, :3] = self._edge
         _second_phase(self._ends, self._length, self._points, factor, out)
+        activations = self._fields.activations(values)
         for column, force in zip(self._columns, self._forces, strict=True):
-            if values[column] > 0.0:
-                _add(force, factor * values[column], out)
+            if activations[column] > 0.0:
+                _add(force, factor * activations[column], out)
 
     def relax(self, values: Array, place: Array) -> None:
         """Move `place` (r, 4) from the equilibrium of the linear springs to that with the second phase."""

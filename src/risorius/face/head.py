@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
@@ -66,7 +66,8 @@ class Head:
     A head equals only itself, so that what is measured on it can be cached.
     `rest` (N0, 3), `quads` (Q0, 4), `uv` (N0, 2), `masks` name → (N0,) 0..1, `mirror` (N0,) index of the
     mirrored vertex; `fields` parameter name → `Field`, for every muscle but the masseter, and `lip_tuck`;
-    fields hold in the frame before the jaw's rotation. The jaw turns a skin vertex by `jaw_weight * masseter
+    fields hold in the frame before the jaw's rotation. `joint` are the fields of what two muscles, by name,
+    move only together. The jaw turns a skin vertex by `jaw_weight * masseter
     * jaw_angle` (radians) about the line through `jaw_point` along the unit `jaw_axis`; `jaw_corrective` is
     added after it, times `masseter`. `neck_weight` (N0,) is the vertex's share of the head's rotation about
     `head_pivot`. `lip_pairs` (P, 2) are upper and lower vertices that touch when the lips close, `lid_pairs`
@@ -103,6 +104,7 @@ class Head:
     skin: Subdivision
     identity: Identity = UNNAMED
     ages: AgeShapes | None = None
+    joint: Mapping[tuple[str, str], Field] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         """Return one line: its name and age."""
@@ -320,6 +322,9 @@ def _read(path: Path) -> Head:
         landmark_triangles=file.indices("landmark_triangles", (LANDMARKS, 3), skin.matrix.shape[0]),
         landmark_weights=file.array("landmark_weights", (LANDMARKS, 3), low=0.0, high=1.0),
         skin=skin,
+        joint=MappingProxyType(
+            {pair: Field(*file.field(n, count)) for pair, n in file.joint_fields().items()}
+        ),
     )
 
 

@@ -9,9 +9,11 @@ import numpy as np
 
 from ..core.arrays import AnyArray, Array, Int32Array
 from ..core.npz import read_arrays
+from ..core.parameters import INDEX
 from ..errors import HeadError, Place
 
 FORMAT = 1
+JOINT, AND = "joint/", "+"  # how the names of fields of two muscles begin, and what stands between the two
 ArrayShape = tuple[int | str, ...]
 
 
@@ -87,6 +89,20 @@ class HeadFile:
         displacement = steps * float(self.array(f"{name}/scale", (), low=0.0))
         displacement.setflags(write=False)
         return vertices, displacement
+
+    def joint_fields(self) -> dict[tuple[str, str], str]:
+        """Return the fields of what two muscles move together, by their names; older files have none."""
+        found = {}
+        for array in self.arrays:
+            name, _, part = array.rpartition("/")
+            if array.startswith(JOINT) and part == "vertices":
+                first, _, second = name.removeprefix(JOINT).partition(AND)
+                if first not in INDEX or second not in INDEX:
+                    raise self.error(
+                        array, f"is not named by two parameters; expected {JOINT}FIRST{AND}SECOND"
+                    )
+                found[first, second] = name
+        return found
 
     def _raw(self, name: str, shape: ArrayShape) -> AnyArray:
         if name not in self.arrays:

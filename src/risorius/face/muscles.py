@@ -3,19 +3,26 @@
 Every muscle has a calibrated field of displacement (facts: face-model, section 1). The equilibrium of a
 linear network of springs is the sum of such fields. Flesh is not linear, so near-parallel pulls on one vertex
 are limited here (facts: face-model, section 3): two muscles with the same effect do not have it twice.
+
+Two muscles can also move together what neither moves alone: where the muscles that draw the corner of the
+mouth back and down hold each other, it goes in. Such a joint field acts by the share p / (p + HALF²) (1 − p²)
+of the product p of both activations: it needs both, is half where each is HALF, and ends where both contract
+fully: there their own fields are the whole.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
 from ..core.arrays import Array, ByteArray, IndexArray, IntArray, UInt32Array, UInt64Array
 from ..core.kernels.four import Four, any_above, four, larger, root, row, set_row, where_above
-from ..core.kernels.jit import inlined, lean_device, lean_kernel
+from ..core.kernels.jit import inlined, kernel, lean_device, lean_kernel
 from ..core.parameters import INDEX, PARAMETERS
-from .head import Head
+from ..errors import HeadError
+from .head import Field, Head
 from .roots import inverse_cube_roots
 
 # These have no field on the skin at rest: the jaw is a frame, and the lids slide over the eyeball.
@@ -36,9 +43,10 @@ class MuscleFields:
     """The fields of all muscles, sorted by vertex and then by source.
 
     Entries `start[v]:start[v + 1]` belong to vertex v: `parameter` (k,) index into the values, `source` (k,)
-    the shape that they are parts of (both sides of a muscle, and the heads of a sheet, form one shape),
-    `muscle` (k,) the muscle that they are a side of, `displacement` (k, 3) in mm at activation 1. `acting`
-    (n,) has the bits of the parameters that act on each vertex.
+    the shape that they are parts of (both sides of a muscle, and the heads of a sheet, form one shape; a
+    joint field is part of that of its first muscle), `muscle` (k,) the muscle that they are a side of,
+    `displacement` (k, 3) in mm at activation 1. `acting` (n,) has the bits of the parameters that act on each
+    vertex. `pairs` (j, 2) are the parameters of the joint fields, which are numbered after all parameters.
     """
 
     start: UInt32Array
@@ -47,19 +55,16 @@ class MuscleFields:
     muscle: ByteArray
     displacement: Array
     acting: UInt64Array
+    pairs: UInt32Array
 
     @classmethod
     def of(cls, head: Head) -> MuscleFields:
         """Gather the fields of `head`."""
-        acting = [p for p in PARAMETERS if p.name in head.fields and p.base not in ELSEWHERE]
-        bases = list(dict.fromkeys(p.base for p in acting))
-        sheets = [bases.index(SHEETS.get(p.base, p.base)) for p in acting]
-        muscles = [bases.index(p.base) for p in acting]
-        fields = [head.fields[p.name] for p in acting]
+        rows = fields_of(head)
+        fields = [row.field for row in rows]
         sizes = [len(field.vertices) for field in fields]
         vertex = np.concatenate([field.vertices for field in fields])
-        parameter = np.repeat([INDEX[p.name] for p in acting], sizes)
-        source, muscle = np.repeat(sheets, sizes), np.repeat(muscles, sizes)
+        parameter, source, muscle = (np.repeat([row[k] for row in rows], sizes) for k in range(3))
         order = np.lexsort((parameter, muscle, source, vertex))
         start = np.searchsorted(vertex[order], np.arange(len(head.rest) + 1))
         bits = np.zeros(len(head.rest), np.uint64)
@@ -71,7 +76,19 @@ class MuscleFields:
             muscle[order].astype(np.uint8),
             np.concatenate([field.displacement for field in fields])[order],
             bits,
+            np.array([[INDEX[name] for name in pair] for pair in head.joint], np.uint32).reshape(-1, 2),
         )
+
+    @property
+    def columns(self) -> int:
+        """How many activations there are: those of the parameters, and of the joint fields."""
+        return len(PARAMETERS) + len(self.pairs)
+
+    def activations(self, values: Array) -> Array:
+        """Return the activations (46 + j,) for `values` (46,): the values, and those of the joint fields."""
+        out = np.empty((1, self.columns))
+        _activate(self.pairs, values[None], out)
+        return np.asarray(out[0])
 
     def at(self, vertices: IntArray) -> MuscleFields:
         """Return only the fields at some `vertices` (n,), in their order."""
@@ -86,6 +103,7 @@ class MuscleFields:
             self.muscle[entries],
             self.displacement[entries],
             self.acting[vertices],
+            self.pairs,
         )
 
     def without(self, vertices: IndexArray) -> MuscleFields:
@@ -107,10 +125,10 @@ class DisplacedSkin:
     """The skin displaced by the muscles; a new call recomputes only the vertices whose muscles changed."""
 
     def __init__(self, fields: MuscleFields) -> None:
-        self._fields, self._rows = fields, np.zeros((AT_ONCE, len(PARAMETERS)))
-        self._before = np.zeros(len(PARAMETERS))
+        self._fields, self._rows = fields, np.zeros((AT_ONCE, fields.columns))
+        self._before = np.zeros(fields.columns)
         self._skin = np.zeros((len(fields.acting), 3, AT_ONCE))
-        self._work = np.zeros((len(PARAMETERS), AT_ONCE)), np.zeros((MOST, _PULL, AT_ONCE))
+        self._work = np.zeros((fields.columns, AT_ONCE)), np.zeros((MOST, _PULL, AT_ONCE))
         self._entries = np.zeros(MOST, np.uint32)
 
     def at(self, values: Array) -> Array:
@@ -124,8 +142,7 @@ class DisplacedSkin:
         call overwrites it.
         """
         fields = self._fields
-        self._rows[: len(values)] = values
-        self._rows[len(values) :] = values[-1]
+        _activate(fields.pairs, values, self._rows)
         _displace(
             fields.start,
             fields.parameter,
@@ -147,6 +164,64 @@ MOST = 32  # no vertex has more entries
 EXCESS, FREE_EXCESS = 1.45, 1.15
 _PULL = 5  # rows of a pull: its three components, its length, and scratch
 NOTHING = 1e-9  # mm: a smaller pull counts as none, because its cube would underflow
+HALF = 0.2  # activation of both muscles at which a joint field is half
+_MOST_COLUMNS = 64  # bits of `acting`
+
+
+class FieldRow(NamedTuple):
+    """A field of one column of the activations; `source` and `muscle` as in `MuscleFields`."""
+
+    column: int
+    source: int
+    muscle: int
+    field: Field
+
+
+def fields_of(head: Head) -> list[FieldRow]:
+    """Return the fields of muscles, then the joint ones; raise HeadError for more than there are bits."""
+    acting = [p for p in PARAMETERS if p.name in head.fields and p.base not in ELSEWHERE]
+    bases = list(dict.fromkeys(p.base for p in acting))
+
+    def source(base: str) -> int:
+        return bases.index(SHEETS.get(base, base))
+
+    rows = [FieldRow(INDEX[p.name], source(p.base), bases.index(p.base), head.fields[p.name]) for p in acting]
+    together = list(dict.fromkeys(tuple(_base(name) for name in pair) for pair in head.joint))
+    for column, (pair, field) in enumerate(head.joint.items(), len(PARAMETERS)):
+        muscle = len(bases) + together.index(tuple(_base(name) for name in pair))
+        rows.append(FieldRow(column, source(_base(pair[0])), muscle, field))
+    if len(PARAMETERS) + len(head.joint) > _MOST_COLUMNS:
+        raise HeadError(
+            f"head '{head.name}' has {len(head.joint)} joint fields; "
+            f"expected at most {_MOST_COLUMNS - len(PARAMETERS)}"
+        )
+    return rows
+
+
+def _base(name: str) -> str:
+    return name.partition(".")[0]
+
+
+@inlined
+def joint_share(first: float, second: float) -> float:
+    """Return the activation of a joint field for those of its two muscles."""
+    both = max(first, 0.0) * max(second, 0.0)
+    return both / (both + HALF * HALF) * (1.0 - both * both)
+
+
+@kernel
+def _activate(pairs: UInt32Array, values: Array, out: Array) -> None:
+    """Write the activations of parameters and joint fields at each row of `values` (k, 46) to a row of `out`.
+
+    The last one counts for the rows that are left over.
+    """
+    last, count = values.shape[0] - 1, values.shape[1]
+    for lane in range(len(out)):
+        row = min(lane, last)
+        for k in range(count):
+            out[lane, k] = values[row, k]
+        for j in range(len(pairs)):
+            out[lane, count + j] = joint_share(values[row, pairs[j, 0]], values[row, pairs[j, 1]])
 
 
 @lean_kernel
@@ -167,7 +242,7 @@ def _displace(
     """Write the displacements at the activations in each of the `rows` to `out`; see `DisplacedSkin`.
 
     The vertices whose muscles differ in no row from `before`, which becomes the last row, keep the last one.
-    `lanes` (46, AT_ONCE), `pulls` (MOST, _PULL, AT_ONCE) and `entries` (MOST,) are scratch.
+    `lanes` (46 + j, AT_ONCE), `pulls` (MOST, _PULL, AT_ONCE) and `entries` (MOST,) are scratch.
     """
     live, changed = _turn_rows(rows, before, lanes)
     for v in range(len(acting)):
@@ -199,7 +274,7 @@ def _displace(
 
 @lean_device
 def _turn_rows(rows: Array, before: Array, lanes: Array) -> tuple[np.uint64, np.uint64]:
-    """Copy the activations in `rows` (AT_ONCE, 46) to `lanes` (46, AT_ONCE), and the last row to `before`.
+    """Copy activations in `rows` (AT_ONCE, 46 + j) to `lanes` (46 + j, AT_ONCE), the last row to `before`.
 
     Returns the bits of the parameters that are above 0 in a row, and of those that differ from `before`.
     """

@@ -17,10 +17,9 @@ import scipy.sparse as sp
 
 from ..core.arrays import Array, BoolArray, IndexArray, UInt32Array
 from ..core.kernels.jit import summing_kernel
-from ..core.parameters import PARAMETERS
 from .cholesky import Factor, sparing_order
 from .head import Head
-from .muscles import ELSEWHERE
+from .muscles import fields_of
 from .points_of_four import gather
 from .stiffness import spring_stiffness
 
@@ -64,10 +63,8 @@ class Network:
 
 def _moved(head: Head) -> BoolArray:
     moved = np.zeros(len(head.rest), bool)
-    for p in PARAMETERS:
-        if p.name in head.fields and p.base not in ELSEWHERE:
-            field = head.fields[p.name]
-            moved[field.vertices[np.linalg.norm(field.displacement, axis=1) > STILL]] = True
+    for row in fields_of(head):
+        moved[row.field.vertices[np.linalg.norm(row.field.displacement, axis=1) > STILL]] = True
     return moved
 
 

@@ -12,6 +12,7 @@ from .surface import Surface, flat
 
 POINTS = 5
 HEAD, TAIL = 10.0, 49.5  # mm from the middle
+HEIGHT = 18.2  # mm of the head over the eyes
 _SEED = 7
 _LIGHT = 0.3  # mean albedo of hairs that do not glint
 
@@ -22,7 +23,7 @@ def brow_line(anatomy: Anatomy, t: Array) -> tuple[Array, Array, Array]:
     x = (HEAD + (TAIL - HEAD) * t) * u
     rise = 5.6 * np.sin(np.clip(t / 0.68, 0.0, 1.0) * np.pi / 2) - 7.5 * np.clip(t - 0.68, 0.0, 1.0) ** 1.1
     thickness = (3.3 * (1 - t**1.7) + 0.55) * np.minimum(1.0, 0.62 + 2.2 * t)
-    return x, anatomy.eye_height + (17.2 + rise) * u, thickness * u
+    return x, anatomy.eye_height + (HEIGHT + rise) * u, thickness * u
 
 
 def brow_shade(anatomy: Anatomy) -> Array:

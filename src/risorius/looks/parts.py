@@ -38,7 +38,7 @@ from .strands import Strands, root_frames
 from .surface import Surface
 
 HEM = 10.0  # mm over which skin blends into cloth: the width of triangles there
-_TOOTH, _GUM, _TONGUE = (244, 234, 214), (186, 98, 92), (206, 122, 114)
+_TOOTH, _GUM, _TONGUE = (244, 234, 214), (206, 138, 130), (206, 122, 114)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

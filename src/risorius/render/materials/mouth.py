@@ -17,7 +17,7 @@ LIP_STEPS = 32
 _FRONT = 2  # lamps; the others stand behind the head
 _GLOSS = f4(0.03)
 _DEPTH = f4(1 / 30)  # 1/mm: cheeks and palate absorb half of the light
-_GLOW = f4(0.13)  # share of light that lips and cheeks let through to the flesh behind them
+_GLOW = f4(0.19)  # share of light that lips and cheeks let through to the flesh behind them
 _FAUCES = f4(35)  # mm behind the lips; the lining is drawn further back, but a mouth is not deeper
 
 
