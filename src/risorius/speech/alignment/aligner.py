@@ -27,6 +27,7 @@ from .glottal import glottal_starts
 from .lexicon import ScriptWord, read_transcript, stresses_of
 from .silences import without_gaps
 from .spectra import band_levels
+from .voice_ends import shared_sounds, voice_ends
 from .windows import WHOLE, Window, windows
 
 # A stop after silence is heard, and labelled by hand, from its burst on; the articulators close before.
@@ -174,7 +175,8 @@ def refined(resampled: Resampled, aligned: Sequence[AlignedPhone]) -> list[Align
     levels = band_levels(resampled.read(start, end))
     edges = np.array([phone.start - start for phone in aligned[1:]])
     symbols = [phone.symbol for phone in aligned]
-    placed = start + glottal_starts(levels, aligned, place_edges(levels, symbols, edges))
+    placed = voice_ends(levels, aligned, place_edges(levels, symbols, edges))
+    placed = start + glottal_starts(levels, aligned, shared_sounds(aligned, placed))
     for index, (before, stop) in enumerate(pairwise(aligned)):
         if before.symbol == SILENCE and phonesets.is_stop(stop.symbol):
             placed[index] -= UNHEARD_CLOSURE
