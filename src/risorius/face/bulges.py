@@ -50,17 +50,11 @@ class Bulges:
     """The bulges of one head; keeps a workspace."""
 
     def __init__(self, head: Head) -> None:
-        marks = Marks.of(head)
-        fine = head.skin.matrix @ head.rest
-        shown = np.ones(len(fine))
-        for name in _HIDDEN:
-            shown *= 1.0 - np.clip(head.skin.matrix @ head.masks[name], 0.0, 1.0)
-        zones = [Zone(_mask(b, marks, fine) * shown, _pull(b, head)) for b in bulges().values()]
-        self._compression = Compression.of(head, zones)
-        rows = self._compression
-        self._mask = np.concatenate([zone.mask[zone.mask > 0.0] for zone in zones])
+        unit = Marks.of(head).unit
+        self._mask, compression = _swelling(head)
+        self._compression = rows = compression.anew()
         self._depth, self._cap = (
-            np.array([getattr(b, key) for b in bulges().values()])[rows.row_zone] * marks.unit
+            np.array([getattr(b, key) for b in bulges().values()])[rows.row_zone] * unit
             for key in ("depth", "cap")
         )
         self._area = np.empty(len(rows.row_vertex))
@@ -70,6 +64,18 @@ class Bulges:
         """Add the mm by which the level-0 `skin` (N0, 4) swells to `out` (N1,)."""
         self._compression.measure(skin, self._area)
         _swell(self._area, self._compression.row_vertex, self._mask, self._depth, self._cap, out)
+
+
+@lru_cache(maxsize=4)
+def _swelling(head: Head) -> tuple[Array, Compression]:
+    """Return the masks of all rows, and what measures their compression."""
+    marks = Marks.of(head)
+    fine = head.skin.matrix @ head.rest
+    shown = np.ones(len(fine))
+    for name in _HIDDEN:
+        shown *= 1.0 - np.clip(head.skin.matrix @ head.masks[name], 0.0, 1.0)
+    zones = [Zone(_mask(b, marks, fine) * shown, _pull(b, head)) for b in bulges().values()]
+    return np.concatenate([zone.mask[zone.mask > 0.0] for zone in zones]), Compression.of(head, zones)
 
 
 def _mask(bulge: Bulge, marks: Marks, fine: Array) -> Array:

@@ -7,7 +7,7 @@ of a split quad would not be mirrored.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -87,6 +87,10 @@ class Compression:
             (np.empty(sum(sizes)), np.empty((len(zones), 2))),
             taut,
         )
+
+    def anew(self) -> Compression:
+        """Return the same tables with a workspace of their own."""
+        return replace(self, work=(np.empty(len(self.quad)), np.empty((self.zones, 2))))
 
     def measure(self, skin: Array, out: Array) -> Array:
         """Write the stretch (r,), 1 at rest, of every row on level-0 `skin` (N0, 4) to `out`, and return it.

@@ -7,6 +7,7 @@ Here the height of a fold has a closed form, because its shape is known (docs/wr
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 
 import numpy as np
 
@@ -38,9 +39,9 @@ class Wrinkles:
     ) -> None:
         self.age = age
         factor, skin = check_factors(factors or {}), skin_at(age)
-        placed = place_regions(head)
+        placed, compression = _folding(head)
         self._bulges = Bulges(head)
-        self._compression = Compression.of(head, [p.zone for p in placed], taut=True)
+        self._compression = compression.anew()
         rows = self._compression
         self._mask = np.concatenate([p.zone.mask[p.zone.mask > 0.0] for p in placed])
         self._law = _law(placed, skin, factor, Marks.of(head).unit)
@@ -71,6 +72,12 @@ class Wrinkles:
         )
         self._bulges.lift(skin, self._lift)
         self._raised.move(self._lift, fine)
+
+
+@lru_cache(maxsize=4)
+def _folding(head: Head) -> tuple[tuple[PlacedRegion, ...], Compression]:
+    placed = place_regions(head)
+    return placed, Compression.of(head, [p.zone for p in placed], taut=True)
 
 
 class _Raised:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 from ..core.arrays import Array
 from ..face.head import Head
@@ -49,7 +50,11 @@ class HeadModel:
 
 def head_model(head: Head, looks: Looks | None = None) -> HeadModel:
     """Return the model of a head; `looks` are the head's own where None."""
-    looks = looks or head.identity.looks
+    return _made(head, looks or head.identity.looks)
+
+
+@lru_cache(maxsize=2)
+def _made(head: Head, looks: Looks) -> HeadModel:
     anatomy = find_anatomy(head)
     surface = skin_surface(head, anatomy)
     hair, brows = linear(looks.hair), linear(looks.brows or looks.hair)
