@@ -37,6 +37,8 @@ from .visibility import Visibility
 SMALLEST, LARGEST = 16, 4096
 _DRAFT_HAIRS = 3
 """One in so many hairs is drawn in a draft, so many times as wide."""
+_COARSE_SHADOW = QUALITIES["normal"]
+"""Samples a pixel and side up to which the shadow is that of the coarse skin: nobody sees the difference."""
 _DRAFT_DETAIL = f4(30)
 """Millimetres: skin and cloth of drafts have no pores, and are lit so far beyond the neckline."""
 
@@ -109,11 +111,13 @@ class SoftwareRenderer:
         self._batch = empty_batch(max(width * samples * samples, scene.skin_vertices if self._draft else 0))
         self._facets = empty_facets(len(scene.triangles) if self._draft else 0)
         centre, radius = scene.anatomy.sphere()
-        direction, vertices, texels = self._lights.lamps[0, :3], scene.mesh_vertices, SIZE
-        self._casters = scene.triangles[: scene.solid]
-        if self._draft:  # the skin's coarse quads, whose vertices are the first of the fine ones
-            vertices, texels = len(scene.head.rest), DRAFT_SIZE
-            self._casters = triangulate(scene.head.quads)
+        direction, texels = self._lights.lamps[0, :3], DRAFT_SIZE if self._draft else SIZE
+        if (
+            samples <= _COARSE_SHADOW
+        ):  # of the skin's coarse quads, whose vertices are the first of the fine ones
+            vertices, self._casters = len(scene.head.rest), triangulate(scene.head.quads)
+        else:
+            vertices, self._casters = scene.mesh_vertices, scene.triangles[: scene.solid]
         self._shadow = ShadowMap(direction, centre, radius, vertices, len(self._casters), texels)
 
     def clone(self) -> SoftwareRenderer:
