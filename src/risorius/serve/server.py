@@ -116,7 +116,7 @@ def warm_up() -> None:
     """Load and compile what the first client would wait for."""
     try:
         speak("Hello.", text=True)
-        next(Live(arkit=True).frames())
+        next(Live(arkit=True).frames(waits=False))
     except RisoriusError as error:
         # The clients are told when they come.
         LOG.warning("%s", error)
