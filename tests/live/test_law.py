@@ -12,7 +12,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from risorius import Live, speak
-from risorius.core.parameters import INDEX
+from risorius.core.parameters import INDEX, NAMES
+from risorius.live import session, turn
 from risorius.live.frame import LiveFrame
 from risorius.live.performer import perform_sentence
 from risorius.live.seam import SEAM
@@ -190,3 +191,29 @@ def test_who_is_interrupted_shuts_the_mouth_and_looks_at_the_listener(frame: int
     for angle in ("pitch", "yaw"):
         gaze = [f.parameters[f"gaze_{angle}"] + f.parameters[f"head_{angle}"] for f in after[15:]]
         assert np.abs(gaze).max() < 4.0
+
+
+def test_what_goes_beyond_the_longest_turn_follows_without_a_jump(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The pause is a quarter of a second longer than others; nothing is done that would end a turn."""
+    monkeypatch.setattr(turn, "MOST_SENTENCES", 4)
+    for module in (turn, session):
+        monkeypatch.setattr(module, "FEW_SENTENCES", 4)
+    names = ("him", "her", "it", "them", "Tom", "Ann", "Bob", "you")
+    text = "".join(f"I saw {name} there. " for name in names)
+    face = talking()
+    face.say(text)
+    face.close()
+    frames = list(face.frames())
+    half = text.index("I saw Tom")
+    turns = spoken(text[:half], (), 0, goes_on=True), offline(text[half:].strip(), seed=1)
+    border = len(turns[0].performance.values)
+    close_to(frames[:border], turns[0])
+    seam = round(SEAM * 30)
+    values = turns[1].performance.values[seam:]
+    np.testing.assert_allclose([f.values for f in frames[border + seam :]], values, atol=1e-6)
+    steps = np.abs(np.diff([f.values for f in frames], axis=0))
+    before = steps[: border - 1].max(axis=0)
+    mouth = [k for k, name in enumerate(NAMES) if "gaze" not in name and "head" not in name]
+    assert (steps[border - 1 : border + seam, mouth] < before[mouth] + 0.1).all()
+    ends = [frame.text for frame in frames].index("I saw Tom there.")
+    assert abs(ends - border) <= 1

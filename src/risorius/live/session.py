@@ -320,7 +320,7 @@ class Live:
             goes_on = self._waiting.follows((*playing.sentences, *new))
             if new:
                 self._joining = join_later(playing, new, plan, self._next, goes_on=goes_on)
-            elif playing.goes_on and self._joining is None:
+            elif playing.goes_on and self._joining is None and (most or not goes_on):
                 self._joining = end_later(playing, plan, self._next, told=not goes_on)
         joining = self._joining
         if joining is None or self._next < joining.at:

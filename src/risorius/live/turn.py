@@ -15,16 +15,17 @@ from ..rules.emotions import Displays
 from ..settings import Settings
 from .hearing import texts_of
 from .performer import Played, TurnPerformer
-from .waiting import MOST_SENTENCES, LiveSentence
+from .waiting import LiveSentence
 
 TAIL = 0.35
 """Seconds of silence behind a sentence; with the seam before the next they make its pause."""
 FIRST_CHARACTERS = 200
 """Characters with which a turn begins, if there are so many: the others join it while it plays. What is said
 after so much text changes nothing of its first second (`channels.HORIZON`)."""
-FEW_SENTENCES, GROWTH = 8, 4
-"""Sentences of a turn. Joining performs the turn anew: one of more than a few sentences is joined only by as
-many as it has at least, and grows at most so many times, so that the cost of a sentence is bounded."""
+FEW_SENTENCES, GROWTH, MOST_SENTENCES = 8, 4, 64
+"""Sentences of a turn, at most 64. Joining performs the turn anew: one of more than a few sentences is joined
+only by as many as it has at least, and grows at most so many times, so that the cost of a sentence is
+bounded."""
 LAST_CALL = 0.9
 """Seconds before a turn's end after which no sentence joins it (DESIGN, section 6)."""
 PREROLL = 1.0

@@ -16,8 +16,6 @@ from .hearing import Hearing, texts_of
 from .sentences import SentenceBuffer
 from .voice import VoiceBuffer, VoicedPhrase
 
-MOST_SENTENCES = 64
-"""Sentences of a turn."""
 MOST_WAITING = 1_000
 """Sentences that may wait to be said."""
 
@@ -67,9 +65,7 @@ class WaitingSentences:
         return bool(self._text) or bool(self._voice)
 
     def follows(self, sentences: tuple[LiveSentence, ...]) -> bool:
-        """Tell whether it is known that more will be said in a turn of these sentences."""
-        if len(sentences) >= MOST_SENTENCES:
-            return False
+        """Tell whether more will certainly be said in a turn of these sentences, or at once after it."""
         return self._whole[0].joins(sentences[0]) if self._whole else self.is_unfinished
 
     def __len__(self) -> int:
