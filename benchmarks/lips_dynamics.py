@@ -4,8 +4,8 @@ Prints, by model and rate, of the lip gap on the mesh
 - the 99.9th percentile of its speed, and the largest change of it within 5 ms while the lips are apart;
 - the root mean square of its jerk while the lips are apart (asked: at most 250,000 mm/s³), and the share of
   its speed's power above 15 Hz (at most .05);
-- how late the widest moment of vowels is beside their middles, and the middle of the shut lips beside that of
-  the closure of /p b m/ (medians; asked: within 10 ms);
+- how late the widest moment of vowels is beside their middles (of a diphthong, of its wider sound), and the
+  middle of the shut lips beside that of the closure of /p b m/ (medians; asked: within 10 ms);
 - with `--vowels` the median widest gap of each vowel.
 Run from the repository (a few minutes):
     PYTHONPATH=src python benchmarks/lips_dynamics.py [--sentences 6] [--lips effort] [--rates 175] [--vowels]
@@ -16,6 +16,7 @@ from __future__ import annotations
 import argparse
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
+from itertools import groupby
 from pathlib import Path
 from typing import NamedTuple
 
@@ -24,6 +25,7 @@ from lips_measures import machine
 
 from risorius import blend
 from risorius.core.arrays import Array
+from risorius.core.articulators import APERTURE
 from risorius.core.movement import LipSegment
 from risorius.core.utterance import Phone
 from risorius.face.lip_file import load_lip_rig
@@ -60,9 +62,17 @@ class Said(NamedTuple):
                 yield phone, self.times[within], self.gap[within]
 
     def vowels_late(self) -> Iterator[float]:
-        """Yield how late the widest moment is beside the middle of each vowel."""
-        for phone, times, gap in self.vowels():
-            yield times[gap.argmax()] - (phone.start + phone.end) / 2.0
+        """Yield how late the widest moment is beside the middle of each vowel, of a diphthong's wider sound.
+
+        A vowel begins for the lips where the stop before it is released.
+        """
+        vowels = {phone.symbol for phone in self.phones if phone.stress >= 0}
+        for sounds in groupby(self.lips, lambda segment: (segment.phone, segment.cause)):
+            widest = max(sounds[1], key=lambda segment: segment.targets.get(APERTURE, 0.0))
+            within = (self.times >= widest.start) & (self.times <= widest.end)
+            if widest.phone in vowels and within.any():
+                times, gap = self.times[within], self.gap[within]
+                yield times[gap.argmax()] - (widest.start + widest.end) / 2.0
 
     def closures_late(self) -> Iterator[float]:
         """Yield how late the middle of the shut lips is beside that of each closure that stands alone."""

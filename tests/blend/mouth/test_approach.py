@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius import blend
-from risorius.blend.mouth.approach import Approach, smooth_minimum
+from risorius.blend.mouth.approach import CHIN, Approach, smooth_minimum
 from risorius.blend.mouth.contact import SEAL, TUCK, contact_goals
 from risorius.blend.mouth.tradeoffs import checked, tradeoffs
 from risorius.core.lip_rig import OPENING, gap_left
@@ -77,7 +77,16 @@ def test_rounding_gives_way_beside_a_tuck() -> None:
     shape = near.reached(lambda _: np.full(len(TIMES), 2.0), TIMES)
     assert shape("lip_protrusion")[1000] == pytest.approx(2.0 * tradeoffs().rounding.remaining)
     assert shape("lip_protrusion")[0] == 2.0
-    assert shape("jaw_drop")[1000] == 2.0
+    assert shape("jaw_drop")[1000] == pytest.approx(2.0, abs=0.2)
+
+
+def test_the_chin_stays_higher_where_closures_keep_the_lips_from_opening() -> None:
+    asked = {"lip_aperture": 12.0, "jaw_drop": 8.0}
+    shape = approach((0.9, 1.1)).reached(lambda name: np.full(len(TIMES), asked[name]), TIMES)
+    missing = asked["lip_aperture"] - np.maximum(shape("lip_aperture"), 0.0)
+    assert missing.max() == pytest.approx(12.0)
+    assert shape("jaw_drop")[0] == pytest.approx(8.0)
+    assert shape("jaw_drop") == pytest.approx(8.0 - CHIN * missing, abs=0.1)
 
 
 def said(phones: str, each: float, model: str, *movements: Movement) -> Score:
