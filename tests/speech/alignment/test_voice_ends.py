@@ -56,3 +56,9 @@ def test_two_words_share_a_lasting_sound_in_halves(one: str, two: str) -> None:
 def test_other_edges_stay(one: str, two: str, words: tuple[int, ...]) -> None:
     spoken, edges = phones("IH", one, two, "K", words=words)
     assert shared_sounds(spoken, edges).tolist() == edges.tolist()
+
+
+def test_what_lies_behind_the_end_of_the_sound_keeps_its_place() -> None:
+    spoken, edges = phones("", "EH", "N", "")
+    short = band_levels(SOUND[: round(0.09 * RATE)])
+    assert voice_ends(short, spoken, edges).tolist() == edges.tolist()

@@ -42,6 +42,8 @@ def voice_ends(levels: Array, phones: Sequence[AlignedPhone], edges: Array) -> A
             continue
         first, end = steps[index : index + 2].tolist()
         whole = levels[steps[vowel] : max(steps[vowel + 1], steps[vowel] + 1), _VOICE]
+        if not len(whole):
+            continue  # the sound ends before it
         half = (first + end) // 2
         loud = np.flatnonzero(levels[half:end, _VOICE] >= np.median(whole) - _FALL)
         last = half + int(loud[-1]) + 1 if len(loud) else half
