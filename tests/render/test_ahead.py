@@ -4,6 +4,7 @@ from dataclasses import fields
 import numpy as np
 import pytest
 
+from risorius.core.progress import quiet
 from risorius.render import ahead
 
 
@@ -37,20 +38,37 @@ def announced():
 
 
 def first_picture(style, announced):
-    with ahead.compiled_ahead(style, lambda: announced.append(style)) as compiled:
+    def progress(stage, done=0, total=0):
+        if not total:
+            announced.append(style)
+
+    with ahead.compiled_ahead(style, progress) as compiled:
         compiled()
 
 
 def test_what_is_not_compiled_is_said_compiled_and_waited_for(started, announced):
-    with ahead.compiled_ahead("realistic", lambda: announced.append("said")) as compiled:
+    with ahead.compiled_ahead("realistic", lambda *said: announced.append(said)) as compiled:
         assert started[0].done == []
         compiled()
         assert started[0].done == ["waited"]
-    assert announced == ["said"]
+    total = ahead.KERNELS["realistic"]
+    assert announced == [(ahead.COMPILING,), ("Compiling", total, total)]
+
+
+def test_kernels_that_either_process_stores_are_counted(started, announced, tmp_path):
+    (tmp_path / "earlier.nbi").touch()
+    total = ahead.KERNELS["realistic"]
+    counted = ahead._Counted(lambda *said: announced.append(said), total)
+    for name in ("face/one.nbi", "render/two.nbi"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).touch()
+        counted.tell()
+        counted.tell()
+    assert announced == [("Compiling", 1, total), ("Compiling", 2, total)]
 
 
 def test_a_block_that_fails_waits_for_nobody_and_leaves_no_mark(started, announced):
-    with pytest.raises(KeyError), ahead.compiled_ahead("clay", list):
+    with pytest.raises(KeyError), ahead.compiled_ahead("clay", quiet):
         raise KeyError
     assert started[0].done[0] == "killed"
     first_picture("clay", announced)
@@ -72,7 +90,7 @@ def test_one_processor_compiles_in_one_process(started, announced, monkeypatch):
 
 
 def test_garbage_is_collected_again_afterwards(started):
-    with ahead.compiled_ahead("clay", list):
+    with ahead.compiled_ahead("clay", quiet):
         assert not gc.isenabled()
     assert gc.isenabled()
 

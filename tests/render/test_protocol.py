@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from risorius import pose
+from risorius.core.progress import quiet
 from risorius.errors import InputError, ParameterError
 from risorius.render import renderers
 from risorius.render.protocol import RENDERERS, PictureInput, RendererSetup, open_renderer
@@ -21,7 +22,7 @@ def opened(head, face):
     """A function from a renderer's name and a look to the renderer."""
 
     def renderer(name="software", size=SIZE, **look):
-        return open_renderer(RendererSetup(head, size, Look(**look), face, lambda stage: None), name)
+        return open_renderer(RendererSetup(head, size, Look(**look), face, quiet), name)
 
     return renderer
 

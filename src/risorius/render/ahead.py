@@ -8,16 +8,20 @@ from __future__ import annotations
 
 import gc
 import sys
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from subprocess import DEVNULL, TimeoutExpired
+from typing import Any
 
 import numpy as np
+from numba.core import event
 
 from ..core import processes
 from ..core.kernels import compile_cache
 from ..core.parameters import NEUTRAL
+from ..core.progress import Progress
 from ..face.frame import FaceFrame
 from ..face.head import Head, load_head
 from ..face.regions import region_names
@@ -28,28 +32,72 @@ from .renderer_pool import processors
 _PATIENCE = 300.0
 """Seconds to wait for the other process; after that, this process compiles for itself."""
 _SIDE = 64
+KERNELS = {"realistic": 45, "explaining": 45}
+"""How many kernels a first picture compiles, in both processes."""
+
+
+COMPILING = "Compiling the face and the renderer (once, about 15 s) …"
+_STAGE = "Compiling"
+_LOOK = 0.5  # s between two looks at what the other process has compiled
 
 
 @contextmanager
-def compiled_ahead(style: str, announce: Callable[[], object]) -> Iterator[Callable[[], None]]:
+def compiled_ahead(style: str, progress: Progress) -> Iterator[Callable[[], None]]:
     """Compile the kernels of a style in another process while the block runs.
 
     Yields a function for the block to call before it draws: it waits for that process. If no processor is
-    free for one, it returns at once, and drawing compiles the kernels. `announce` is called if the kernels
-    are not compiled yet. A block that ends without an error leaves a mark that they are.
+    free for one, it returns at once, and drawing compiles the kernels. `progress` is told if the kernels
+    are not compiled yet, and how many of them are. A block that ends without an error leaves a mark that
+    they are.
     """
     if _mark(style).exists():
         yield _no_wait
         return
-    announce()
-    with _no_collection(), _compiler(style) as wait:
+    progress(COMPILING)
+    counted = _Counted(progress, KERNELS[_kind(style)])
+    with (
+        _no_collection(),
+        event.install_listener("numba:compile", counted),
+        _compiler(style, counted.tell) as wait,
+    ):
         yield wait
+    counted.finish()
     with suppress(OSError):
         _mark(style).touch()
 
 
+class _Counted(event.Listener):  # type: ignore[misc]  # numba has no types
+    """Tells how many kernels are in the cache, whichever process compiled them, when that has changed."""
+
+    def __init__(self, progress: Progress, total: int) -> None:
+        self._progress, self._total, self._told = progress, total, 0
+        self._folder = compile_cache.in_use()
+        self._before = self._stored()
+
+    def on_start(self, event: Any) -> None:
+        """Do nothing: the last function that was compiled is told of already."""
+
+    def on_end(self, event: Any) -> None:
+        """Tell after each function that numba compiles."""
+        self.tell()
+
+    def tell(self) -> None:
+        """Tell how many kernels there are, if there are more than were told of."""
+        done = min(self._stored() - self._before, self._total - 1)
+        if done > self._told:
+            self._told = done
+            self._progress(_STAGE, done, self._total)
+
+    def finish(self) -> None:
+        """Tell that all are done."""
+        self._progress(_STAGE, self._total, self._total)
+
+    def _stored(self) -> int:
+        return sum(1 for _ in self._folder.rglob("*.nbi"))
+
+
 @contextmanager
-def _compiler(style: str) -> Iterator[Callable[[], None]]:
+def _compiler(style: str, tell: Callable[[], None]) -> Iterator[Callable[[], None]]:
     """Start the process that compiles if a processor is free for it; yield a function that waits for it."""
     if processors() < 2:
         yield _no_wait
@@ -57,8 +105,12 @@ def _compiler(style: str) -> Iterator[Callable[[], None]]:
     process = processes.start("risorius.render.ahead", style, stdin=DEVNULL, stdout=DEVNULL, stderr=DEVNULL)
 
     def wait() -> None:
-        with suppress(TimeoutExpired):
-            process.wait(_PATIENCE)
+        end = time.monotonic() + _PATIENCE
+        while time.monotonic() < end:
+            with suppress(TimeoutExpired):
+                process.wait(_LOOK)
+                return
+            tell()
 
     try:
         yield wait
@@ -87,9 +139,13 @@ def _no_collection() -> Iterator[None]:
 
 
 def _mark(style: str) -> Path:
-    """Return the file that marks a style's kernels as compiled; the styles of diagrams share one."""
-    name = "realistic" if style == "realistic" else "explaining"
-    return compile_cache.in_use() / f"{name}-{compile_cache.sources()}.compiled"
+    """Return the file that marks a style's kernels as compiled."""
+    return compile_cache.in_use() / f"{_kind(style)}-{compile_cache.sources()}.compiled"
+
+
+def _kind(style: str) -> str:
+    """Return what a style's kernels are called; the styles of diagrams share theirs."""
+    return "realistic" if style == "realistic" else "explaining"
 
 
 def _resting(head: Head) -> FaceFrame:

@@ -91,27 +91,36 @@ def _style(placed: PlacedRegion, unit: float) -> tuple[float, float, float, floa
 
 def _places(phases: Array, stray: Array, points: Array, faces: IntArray) -> Float32Array:
     """Return phase and slope (N1, R, 4) of regions whose phases are (R, N1)."""
-    return np.stack([_place(phase, stray, points, faces) for phase in phases], axis=1).astype(np.float32)
+    slopes = _Slopes(points, faces)
+    return np.stack([_place(phase, stray, slopes) for phase in phases], axis=1).astype(np.float32)
 
 
-def _place(phase: Array, stray: Array, points: Array, faces: IntArray) -> Array:
+def _place(phase: Array, stray: Array, slopes: _Slopes) -> Array:
     """Return phase and slope (N1, 4) of a region whose creases stray by `stray` (N1,) mm.
 
     The regions are symmetric; the straying is not.
     """
-    ragged = phase + stray * np.linalg.norm(_slope(points, faces, phase), axis=1)
-    return np.column_stack([ragged, _slope(points, faces, ragged)])
+    ragged = phase + stray * np.linalg.norm(slopes.of(phase), axis=1)
+    return np.column_stack([ragged, slopes.of(ragged)])
 
 
-def _slope(points: Array, faces: IntArray, values: Array) -> Array:
-    """Return the slope (N1, 3) of `values` (N1,) along the surface: the mean of the triangles', by area."""
-    a, b, c = (points[faces[:, k]] for k in range(3))
-    normal = np.cross(b - a, c - a)
-    twice = np.linalg.norm(normal, axis=1, keepdims=True)
-    edges = (c - b, a - c, b - a)
-    own = sum(values[faces[:, k], None] * np.cross(normal / twice, edges[k]) for k in range(3))
-    total, weight = np.zeros_like(points), np.zeros((len(points), 1))
-    for k in range(3):
-        np.add.at(total, faces[:, k], own)
-        np.add.at(weight, faces[:, k], twice)
-    return np.asarray(total / np.maximum(weight, 1e-12))
+class _Slopes:
+    """Slopes of values along a surface: at each vertex the mean of the triangles', by area."""
+
+    def __init__(self, points: Array, faces: IntArray) -> None:
+        a, b, c = (points[faces[:, k]] for k in range(3))
+        normal = np.cross(b - a, c - a)
+        twice = np.linalg.norm(normal, axis=1, keepdims=True)
+        self._corners = faces.T
+        self._ways = [np.cross(normal / twice, edge) for edge in (c - b, a - c, b - a)]
+        self._weight = np.zeros((len(points), 1))
+        for corner in self._corners:
+            np.add.at(self._weight, corner, twice)
+
+    def of(self, values: Array) -> Array:
+        """Return the slope (N1, 3) of `values` (N1,)."""
+        own = sum(values[corner, None] * way for corner, way in zip(self._corners, self._ways, strict=True))
+        total = np.zeros((len(self._weight), 3))
+        for corner in self._corners:
+            np.add.at(total, corner, own)
+        return np.asarray(total / np.maximum(self._weight, 1e-12))

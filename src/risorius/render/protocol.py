@@ -22,6 +22,7 @@ from typing import NamedTuple, Protocol, Self
 
 from ..core.arrays import Array, ByteArray
 from ..core.look import Size
+from ..core.progress import Progress
 from ..core.registry import Registry
 from ..face.frame import FaceFrame
 from ..face.head import Head
@@ -84,7 +85,7 @@ class RendererSetup:
     size: Size
     look: Look
     first_frame: Callable[[], FaceFrame]
-    progress: Callable[[str], object]
+    progress: Progress
 
 
 OpenRenderer = Callable[[RendererSetup], Renderer]

@@ -14,6 +14,9 @@ import tempfile
 from functools import lru_cache
 from pathlib import Path
 
+# Colours in messages that nobody reads cost a twentieth of compiling; numba looks when it is imported.
+os.environ.setdefault("NUMBA_DISABLE_ERROR_MESSAGE_HIGHLIGHTING", "1")
+
 import numba
 
 from ...errors import warn

@@ -15,7 +15,7 @@ import numba
 import numpy as np
 
 from .compile_cache import use_own_folder
-from .device_compiler import register_device
+from .device_compiler import KernelCompiler, register_device
 
 use_own_folder()
 
@@ -102,7 +102,14 @@ def _kernel(function: F, **options: Any) -> F:
 
     No entry point for C is generated: nothing uses it, and the first run would wait for its compilation.
     """
-    jit = numba.njit(cache=True, nogil=True, error_model="numpy", no_cfunc_wrapper=True, **options)
+    jit = numba.njit(
+        cache=True,
+        nogil=True,
+        error_model="numpy",
+        no_cfunc_wrapper=True,
+        pipeline_class=KernelCompiler,
+        **options,
+    )
     return cast(F, jit(function))
 
 

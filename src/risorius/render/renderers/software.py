@@ -7,13 +7,11 @@ from ..from_look import renderer_from_look
 from ..protocol import DEFAULT, RENDERERS, Renderer, RendererSetup
 from ..renderer_pool import RendererPool
 
-COMPILING = "Compiling the face and the renderer (once, about 25 s) …"
-
 
 @RENDERERS.register(DEFAULT)
 def open_software(setup: RendererSetup) -> Renderer:
     """Return a pool of software renderers (see `OpenRenderer`)."""
-    with compiled_ahead(setup.look.style, lambda: setup.progress(COMPILING)) as wait:
+    with compiled_ahead(setup.look.style, setup.progress) as wait:
         frame = setup.first_frame()
         wait()
         renderer = renderer_from_look(setup.head, setup.size, setup.look)
