@@ -209,7 +209,7 @@ def draw_curves(face: Face, utterance: Utterance, score: Score) -> None:
                 color=INK,
                 fontsize=7.0,
             )
-        axes[0].legend(ncols=4, loc="upper right")
+        axes[0].legend(ncols=3, loc="upper left")
 
 
 def draw_strips(face: Face, utterance: Utterance, score: Score) -> None:
