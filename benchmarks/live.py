@@ -105,11 +105,11 @@ def paced() -> None:
         next(face.frames(waits=False))
     time.sleep(LOADING)
     for stagger, about in ((0.0, "at once"), (0.23, "one after the other")):
-        start, computing = time.perf_counter(), _computing()
+        start, before = time.perf_counter(), computing(os.getpid())
         with ThreadPoolExecutor(HEADS) as threads:
             waits = [stagger * k for k in range(HEADS)]
             late = list(chain(*threads.map(_lateness, waits)))
-        used, took = _computing() - computing, time.perf_counter() - start
+        used, took = computing(os.getpid()) - before, time.perf_counter() - start
         missed = sum(seconds > 1.0 / 30.0 for seconds in late) / len(late)
         print(
             f"{HEADS} faces that begin {about}, at 30 fps with ARKit weights: {missed:.1%} of the frames"
@@ -129,9 +129,9 @@ def _lateness(wait: float) -> list[float]:
     return [seconds - late[0] for seconds in late]
 
 
-def _computing() -> float:
-    """Return the processor time of this process and of those that it has started, in seconds."""
-    parents = {os.getpid()}
+def computing(process: int) -> float:
+    """Return the processor time of a process and of those that it has started, in seconds."""
+    parents = {process}
     ticks = 0
     for _, pid, parent, used in sorted(_processes()):
         if pid in parents or parent in parents:
