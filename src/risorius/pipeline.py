@@ -23,23 +23,14 @@ from .take import Take, lip_rig
 from .unread import refuse_unread
 
 
-def perform(
-    given: Input,
-    emotions: Displays,
-    settings: Settings,
-    progress: Progress = quiet,
-    before: SpokenBefore | None = None,
-) -> Take:
-    """Perform a text, a script or a recording, showing `emotions` beside those that it marks.
-
-    What was spoken `before` is not spoken again; what is spoken is added to it.
-    """
+def perform(given: Input, emotions: Displays, settings: Settings, progress: Progress = quiet) -> Take:
+    """Perform a text, a script or a recording, showing `emotions` beside those that it marks."""
     with emotions_of(settings.rules, settings.expression):  # a fault in it is told before anything is spoken
         source = read(given)
         refuse_unread(source, settings)
         settings = with_profile(settings)
         if isinstance(source, Script):
-            script, utterance = source, speak(source, emotions, settings, progress, before)
+            script, utterance = source, speak(source, emotions, settings, progress, given.before)
         else:
             script, utterance = hear(source, progress)
         score = compose(script, utterance, emotions, settings)
@@ -54,18 +45,12 @@ def with_profile(settings: Settings) -> Settings:
 
 
 def speak(
-    script: Script,
-    emotions: Displays,
-    settings: Settings,
-    progress: Progress = quiet,
-    before: SpokenBefore | None = None,
+    script: Script, emotions: Displays, settings: Settings, progress: Progress, before: SpokenBefore | None
 ) -> Utterance | None:
     """Speak a script with a synthesized voice, coloured by emotions; None if it says nothing."""
-    if not script.lines:
-        return None
     felt = feelings(script, emotions) if settings.voice_emotion else ()
     voice = {name: getattr(settings, name) for name in VOICE_SETTINGS}
-    return say(script, felt=felt, progress=progress, before=before, **voice)
+    return say(script, felt=felt, progress=progress, before=before, **voice) if script.lines else None
 
 
 def compose(script: Script, utterance: Utterance | None, emotions: Displays, settings: Settings) -> Score:

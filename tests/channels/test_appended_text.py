@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from risorius.channels import HORIZON, ChannelInputs, Display, compose
 from risorius.core.movement import LipSegment, Movement
+from risorius.core.progress import quiet
 from risorius.core.utterance import Utterance
 from risorius.pipeline import speak
 from risorius.rules.profiles import BLINK_MODELS, Profile, profile_of, profiles
@@ -124,7 +125,7 @@ def test_where_nothing_is_said_a_longer_clip_begins_as_a_shorter_one() -> None:
 
 def spoken(text: str) -> Utterance:
     """Return a text as the voice says it, measured."""
-    said = speak(read_script(text, text=True), (), Settings())
+    said = speak(read_script(text, text=True), (), Settings(), quiet, None)
     assert said is not None
     return said
 

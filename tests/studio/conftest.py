@@ -133,11 +133,11 @@ class Halted:
     def __init__(self):
         self.begun, self.go = threading.Event(), threading.Event()
 
-    def speak(self, script, displays, settings, progress):
+    def speak(self, script, displays, settings, progress, before):
         progress("Speaking …", 2, 5)
         self.begun.set()
         assert self.go.wait(60)
-        return speak(script, displays, settings, progress)
+        return speak(script, displays, settings, progress, None)
 
 
 @pytest.fixture

@@ -40,8 +40,9 @@ def perform_sentence(
 
     What was spoken `before` is not spoken again; what is spoken is added to it.
     """
-    given = Input(text, text=True, name="live", language=settings.language, goes_on=goes_on)
-    return perform_input(given, feelings, settings, before=before)
+    language = settings.language
+    given = Input(text, text=True, name="live", language=language, goes_on=goes_on, before=before)
+    return perform_input(given, feelings, settings)
 
 
 def language_spoken(settings: Settings) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from os import PathLike
 from pathlib import Path
 
@@ -10,6 +10,7 @@ from ..errors import InputError, Place
 from ..script import Script, parse_script, read_script
 from ..script.files import names_something, read_text
 from .from_recording import LabelledRecording, Recording
+from .spoken import SpokenBefore
 
 LABELS_SUFFIX = ".textgrid"
 TRANSCRIPT_SUFFIXES = (".txt", ".lab")
@@ -22,7 +23,8 @@ class Input:
     `script`: a text or the name of a file, a TextGrid among them; `text` takes it as a text whatever it looks
     like, `name` stands for it in messages. `audio`: the file of a recording; `transcript`: its words, or the
     name of a file with them; `language`: that of a recording's words. `content`: what the file `script`
-    holds, if it is not to be read from there. `goes_on`: more will be said after it, in the same turn.
+    holds, if it is not to be read from there. `goes_on`: more will be said after it, in the same turn. What
+    was spoken `before` is not spoken again; what is spoken is added to it.
     """
 
     script: str | None = None
@@ -33,6 +35,7 @@ class Input:
     content: str | None = None
     language: str | None = None
     goes_on: bool = False
+    before: SpokenBefore | None = field(default=None, compare=False)
 
     @property
     def labels(self) -> str | None:

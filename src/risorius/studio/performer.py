@@ -106,7 +106,7 @@ class Performer:
         def spoken(displays: Displays) -> Utterance | None:
             colours = displays if settings.voice_emotion else ()
             key = (source, colours, values_read(settings, Stage.VOICE))
-            said = self._spoken.get(key, lambda: speak(script, displays, settings, progress))
+            said = self._spoken.get(key, lambda: speak(script, displays, settings, progress, None))
             return self._with_edges(key, said, edges)
 
         displays = _placed([span for span in spans if span.first is None], None)
