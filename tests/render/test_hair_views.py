@@ -5,6 +5,7 @@ import pytest
 
 from risorius.face.rotations import head_rotation
 from risorius.looks.attributes import HAIR
+from risorius.render.hair_views import HairViews
 from risorius.render.software_renderer import SoftwareRenderer
 
 
@@ -55,3 +56,10 @@ def test_a_close_up_shows_every_hair(model):
     close = SoftwareRenderer(model, (160, 160)).camera
     near = replace(close, field_of_view=1.0)
     assert SoftwareRenderer(model, (720, 720), camera=near)._hair_views is None
+
+
+def test_views_of_before_are_not_drawn_again(drawn, model, face, monkeypatch):
+    frame = replace(face(), head_rotation=head_rotation(-8, 50, 2))
+    before = drawn.render(frame)
+    monkeypatch.setattr(HairViews, "_look", lambda *_: pytest.fail("drawn again"))
+    assert (SoftwareRenderer(model, (160, 160)).render(frame) == before).all()

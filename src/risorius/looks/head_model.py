@@ -11,7 +11,8 @@ from ..face.head import Head
 from ..face.identity import Looks
 from .anatomy import Anatomy, find_anatomy
 from .brows import grow_brows
-from .hair_styles import grow_hair
+from .hair_styles import grow_hair, grown_on
+from .kept_hairs import kept_hairs
 from .lashes import grow_lashes
 from .parts import Part, eye_parts, hair_part, skin_part, skin_surface, teeth_part, tongue_part
 from .srgb import linear
@@ -57,7 +58,8 @@ def head_model(head: Head, looks: Looks | None = None) -> HeadModel:
 def _made(head: Head, looks: Looks) -> HeadModel:
     anatomy = find_anatomy(head)
     surface = skin_surface(head, anatomy)
-    hair, brows = linear(looks.hair), linear(looks.brows or looks.hair)
+    hair, brows, skin = linear(looks.hair), linear(looks.brows or looks.hair), linear(looks.skin)
+    ground = grown_on(anatomy, surface)
     solids = [
         skin_part(head, anatomy, surface, looks, brows, hair),
         *eye_parts(head),
@@ -66,8 +68,16 @@ def _made(head: Head, looks: Looks) -> HeadModel:
         tongue_part(head),
     ]
     hairs = {
-        "brows": grow_brows(anatomy, surface, brows, linear(looks.skin), looks.brow_hairs),
-        "lashes": grow_lashes(head, surface, 0.35 * hair, linear(looks.skin)),
+        "brows": kept_hairs(
+            "brows",
+            [*ground, brows, skin, looks.brow_hairs],
+            lambda: grow_brows(anatomy, surface, brows, skin, looks.brow_hairs),
+        ),
+        "lashes": kept_hairs(
+            "lashes",
+            [*ground, head.lid_pairs[0], head.lid_pairs[1], head.eye_centre, hair, skin],
+            lambda: grow_lashes(head, surface, 0.35 * hair, skin),
+        ),
         **grow_hair(anatomy, surface, hair, looks),
     }
     by_name = {part.name: part for part in solids}

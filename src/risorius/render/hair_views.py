@@ -12,6 +12,7 @@ from copy import copy
 
 import numpy as np
 
+from ..core.array_cache import cached_arrays
 from ..core.arrays import Array, Float32Array, FloatArray, Int8Array, Int32Array
 from ..looks.attributes import HAIR
 from .camera import Camera, project
@@ -62,10 +63,24 @@ class HairViews:
         up = max(-_HIGHEST, min(high, _HIGHEST - 1e-6)) / STEP
         i, j = math.floor(across), math.floor(up)
         if (i, j) not in self._cells:
-            corners = np.stack([self._node(m % _AROUND, n) for m in (i, i + 1) for n in (j, j + 1)])
-            points = np.stack([corners[:, :, 0].min(axis=0), corners[:, :, 1].max(axis=0)], axis=1)
-            self._cells[i, j] = self._scene.show_hair(points)
+            place = (
+                *self._centre,
+                self._radius,
+                self._distance,
+                self._sample,
+                self._side,
+                i % _AROUND,
+                j,
+            )
+            inputs = [*self._scene.at_rest(), np.array(place)]
+            (points,) = cached_arrays("hair-seen", inputs, lambda: (self._cell(i, j),))
+            self._cells[i, j] = self._scene.show_hair(np.asarray(points, np.int8))
         return self._cells[i, j]
+
+    def _cell(self, across: int, up: int) -> Int8Array:
+        """Return each hair's first and last point (H, 2) that any corner of a cell sees."""
+        corners = np.stack([self._node(m % _AROUND, n) for m in (across, across + 1) for n in (up, up + 1)])
+        return np.stack([corners[:, :, 0].min(axis=0), corners[:, :, 1].max(axis=0)], axis=1)
 
     def _node(self, across: int, up: int) -> Int8Array:
         if (across, up) not in self._nodes:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..core.arrays import ByteArray, Float32Array, Int8Array, Int32Array
+from ..core.arrays import AnyArray, ByteArray, Float32Array, Int8Array, Int32Array
 from ..core.kernels.jit import f4
 from ..errors import InputError
 from ..face.frame import FaceFrame
@@ -168,6 +168,12 @@ class HeadScene:
         turn(self._local, self._weight, rotation, pivot, self.positions[: self.mesh_vertices])
         self._update_surface(eye, sample, shown.points)
         return self._read_pose(frame, rotation, pivot)
+
+    def at_rest(self) -> list[AnyArray]:
+        """Return the arrays on which depends what is seen of the head at rest from any place."""
+        fields = ("roots", "weights", "curves", "widths", "behind")
+        hairs = [np.asarray(getattr(group, name)) for group in self._hairs for name in fields]
+        return [self.rest[: self.mesh_vertices], self.triangles, self.surfaces, self.two_sided, *hairs]
 
     def rest_at(self, eye: Float32Array, sample: float) -> None:
         """Move all vertices to rest, seen from `eye` (see `pose`)."""
