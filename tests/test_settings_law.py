@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from risorius import api, pipeline, take
+from risorius.core.progress import quiet
 from risorius.core.score import Score
 from risorius.core.setting import Row, Stage, rows
 from risorius.core.utterance import Utterance
@@ -68,7 +69,7 @@ def usual() -> dict[Stage, object]:
 
 @pytest.fixture(scope="module")
 def spoken() -> Utterance:
-    utterance = pipeline.speak(_script(), (), BASE)
+    utterance = pipeline.speak(_script(), (), BASE, quiet, None)
     assert utterance is not None
     return utterance
 
@@ -83,7 +84,7 @@ def _script() -> Script:
 
 
 def said(settings: Settings) -> object:
-    utterance = pipeline.speak(_script(), ANGRY, settings)
+    utterance = pipeline.speak(_script(), ANGRY, settings, quiet, None)
     assert utterance is not None
     return utterance.phones, utterance.audio.read().tobytes()
 
