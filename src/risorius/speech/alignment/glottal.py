@@ -16,7 +16,7 @@ import numpy as np
 from ...core.arrays import Array, BoolArray, Int64Array
 from ...languages import phonesets
 from .decoder import AlignedPhone
-from .spectra import STEP, STEP_SECONDS, WINDOW
+from .spectra import STEP, STEP_SECONDS, WINDOW, edge_steps
 
 # Seconds before a vowel in which its glottal stop begins.
 _BEFORE = 0.09
@@ -36,7 +36,7 @@ def glottal_starts(levels: Array, phones: Sequence[AlignedPhone], edges: Array) 
 
     `edges` are seconds from the start of the sound whose levels (`spectra.band_levels`) are given.
     """
-    steps = np.round(np.array([0.0, *edges, len(levels) * STEP_SECONDS]) / STEP_SECONDS).astype(np.int64)
+    steps = edge_steps(levels, edges)
     placed = edges.copy()
     for index, (before, vowel) in enumerate(pairwise(phones)):
         begins = before.word >= 0 and vowel.word > before.word and phonesets.is_vowel(vowel.symbol)

@@ -6,7 +6,7 @@ import functools
 
 import numpy as np
 
-from ...core.arrays import Array
+from ...core.arrays import Array, Int64Array
 from ..recordings.resampled import RATE
 
 # Samples at 16 kHz: 2.5 ms steps, 8 ms windows.
@@ -30,6 +30,15 @@ def band_levels(sound: Array) -> Array:
     spectrum = np.fft.rfft(frames * np.hanning(WINDOW))
     levels = np.log((spectrum.real**2 + spectrum.imag**2) @ _bank() + _FLOOR)
     return np.asarray(levels - np.percentile(levels.mean(axis=1), _LOUD_PERCENTILE))
+
+
+def edge_steps(levels: Array, edges: Array) -> Int64Array:
+    """Return the steps (n + 1,) at which n phones start and end, for the `edges` (n - 1,) s between them.
+
+    The first phone starts with the sound whose `levels` (steps, 12) are given, the last ends with it.
+    """
+    bounds = np.array([0.0, *edges, len(levels) * STEP_SECONDS])
+    return np.round(bounds / STEP_SECONDS).astype(np.int64)
 
 
 @functools.cache

@@ -16,7 +16,7 @@ from ...core.arrays import Array
 from ...core.utterance import SILENCE
 from ...languages import phonesets
 from .decoder import AlignedPhone
-from .spectra import STEP_SECONDS
+from .spectra import STEP_SECONDS, edge_steps
 
 # The voice ends where it falls to a fifth of the vowel's amplitude (natural logarithm of power, as the levels
 # are). From a third to a tenth of the amplitude, ends differ by 4 ms in the mean.
@@ -33,7 +33,7 @@ def voice_ends(levels: Array, phones: Sequence[AlignedPhone], edges: Array) -> A
     `edges` are seconds from the start of the sound whose levels (`spectra.band_levels`) are given. A sound
     keeps its first half.
     """
-    steps = np.round(np.array([0.0, *edges, len(levels) * STEP_SECONDS]) / STEP_SECONDS).astype(np.int64)
+    steps = edge_steps(levels, edges)
     placed, vowel = edges.copy(), -1
     for index, (phone, after) in enumerate(pairwise(phones)):
         if phonesets.is_vowel(phone.symbol):
