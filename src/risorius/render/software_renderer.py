@@ -112,9 +112,8 @@ class SoftwareRenderer:
         self._facets = empty_facets(len(scene.triangles) if self._draft else 0)
         centre, radius = scene.anatomy.sphere()
         direction, texels = self._lights.lamps[0, :3], DRAFT_SIZE if self._draft else SIZE
-        if (
-            samples <= _COARSE_SHADOW
-        ):  # of the skin's coarse quads, whose vertices are the first of the fine ones
+        if samples <= _COARSE_SHADOW:
+            # The vertices of the skin's coarse quads are the first of the fine ones.
             vertices, self._casters = len(scene.head.rest), triangulate(scene.head.quads)
         else:
             vertices, self._casters = scene.mesh_vertices, scene.triangles[: scene.solid]
