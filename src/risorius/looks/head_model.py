@@ -19,6 +19,9 @@ from .srgb import linear
 from .strands import Strands, thinned
 from .surface import Surface
 
+FACIAL_HAIRS = ("brows", "lashes")
+"""The hairs that move with the face; they stand first among a model's hairs."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class HeadModel:
@@ -86,8 +89,7 @@ def _made(head: Head, looks: Looks) -> HeadModel:
 
 def thin_hair(model: HeadModel, number: int) -> HeadModel:
     """Return a model with one in `number` of the hairs on the head, and all of its brows and lashes."""
-    facial = ("brows", "lashes")
-    return replace(
-        model,
-        hairs={n: hairs if n in facial else thinned(hairs, number) for n, hairs in model.hairs.items()},
-    )
+    hairs = {
+        name: hairs if name in FACIAL_HAIRS else thinned(hairs, number) for name, hairs in model.hairs.items()
+    }
+    return replace(model, hairs=hairs)

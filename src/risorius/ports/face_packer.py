@@ -17,7 +17,7 @@ import numpy as np
 from ..core.arrays import Array, Float32Array, Int16Array
 from ..face.frame import FaceFrame
 from ..face.head import Head
-from ..looks.head_model import head_model
+from ..looks.head_model import FACIAL_HAIRS, head_model
 from ..looks.parts import Part
 from ..looks.srgb import linear
 from .glb_scene import riding
@@ -30,7 +30,7 @@ HEADER = struct.Struct("<6I")
 POSE = 13
 STEP = 0.01
 _OWN = ("skin", "tongue", "teeth_lower")
-PARTS = (*_OWN, "brows", "lashes")
+PARTS = (*_OWN, *FACIAL_HAIRS)
 
 
 class FacePacker:

@@ -20,11 +20,11 @@ from ..core.arrays import Array, Float32Array
 from ..face.frame import FaceFrame
 from ..face.head import Head
 from ..face.shapes import ArkitShapes, arkit_shapes
-from ..looks.head_model import head_model
+from ..looks.head_model import FACIAL_HAIRS, head_model
 from ..looks.parts import Part
 from .basis import ClipBasis
 from .formats import register
-from .glb_scene import ON_SKIN, GlbScene, riding
+from .glb_scene import GlbScene, riding
 from .gltf import Animation, Gltf, quaternions
 from .writable import WritableTake, WriteOptions
 
@@ -90,7 +90,7 @@ def still(head: Head, parts: Mapping[str, Part], frame: FaceFrame, asset: Mappin
     posed["teeth_lower"] = frame.teeth_lower.astype(np.float64)
     moved = riding(parts, skin - parts["skin"].points)
     gltf = Gltf(**asset)
-    scene = GlbScene(head, gltf, parts, posed=posed | {n: parts[n].points + moved[n] for n in ON_SKIN})
+    scene = GlbScene(head, gltf, parts, posed=posed | {n: parts[n].points + moved[n] for n in FACIAL_HAIRS})
     scene.build()
     turns = Turns()
     turns.append(frame)

@@ -11,11 +11,11 @@ import numpy as np
 from ..core.arrays import Array, ByteArray, IntArray
 from ..face.head import Head
 from ..looks.eyeball import iris_picture, pupil_axes
+from ..looks.head_model import FACIAL_HAIRS
 from ..looks.parts import Part
 from .gltf import INDICES, VERTICES, Gltf
 
 METRES = 0.001
-ON_SKIN = ("brows", "lashes")
 _EYES = ("eye_left", "eye_right")
 
 
@@ -144,7 +144,7 @@ class GlbScene:
 def riding(parts: Mapping[str, Part], skin: Array) -> dict[str, Array]:
     """Return how hairs rooted in the skin go along with its displacement (n, 3), by part."""
     moves = {}
-    for name in ON_SKIN:
+    for name in FACIAL_HAIRS:
         roots, weights = parts[name].roots, parts[name].weights
         assert roots is not None
         assert weights is not None

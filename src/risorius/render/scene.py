@@ -15,7 +15,7 @@ from ..looks.anatomy import smoothstep
 from ..looks.attributes import HAIR, OCCLUSION
 from ..looks.eyeball import pupil_axes
 from ..looks.garment import cloth_offset, neckline
-from ..looks.head_model import HeadModel
+from ..looks.head_model import FACIAL_HAIRS, HeadModel
 from ..looks.normals import Normals
 from ..looks.parts import Part, hair_attributes
 from ..looks.scalp import hair_shade
@@ -86,7 +86,7 @@ class HeadScene:
             attributes.append(hair_attributes(group))
             first, number = first + group.vertices, number + len(group.widths)
         self.hairs = number - HAIR
-        self.facial_hairs = sum(len(group.widths) for group in self._hairs[:2])
+        self.facial_hairs = sum(len(self.model.hairs[name].widths) for name in FACIAL_HAIRS)
         self.hair_segments = np.concatenate([group.segments() for group in self._hairs])
         self.triangles: Int32Array = np.concatenate(triangles).astype(np.int32)
         self.surfaces: Int32Array = np.concatenate(surfaces).astype(np.int32)
