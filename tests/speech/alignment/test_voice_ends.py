@@ -44,10 +44,18 @@ def test_a_sound_keeps_its_first_half() -> None:
     assert voice_ends(band_levels(quiet), spoken, edges)[-1] == pytest.approx(0.375, abs=0.005)
 
 
-@pytest.mark.parametrize(("one", "two"), [("S", "S"), ("Z", "S"), ("M", "M"), ("IY", "IY")])
-def test_two_words_share_a_lasting_sound_in_halves(one: str, two: str) -> None:
-    spoken, edges = phones("IH", one, two, "K", words=(0, 0, 1, 1))
+@pytest.mark.parametrize(
+    ("one", "two", "after"), [("S", "S", "AO"), ("Z", "S", "IY"), ("M", "M", "OY"), ("IY", "IY", "P")]
+)
+def test_two_words_share_a_lasting_sound_in_halves(one: str, two: str, after: str) -> None:
+    spoken, edges = phones("IH", one, two, after, words=(0, 0, 1, 1))
     assert shared_sounds(spoken, edges).tolist() == pytest.approx([0.1, 0.3, DECODED])
+
+
+@pytest.mark.parametrize(("one", "after"), [("S", "K"), ("Z", "T"), ("S", "W")])
+def test_before_a_consonant_the_first_word_has_the_shared_sound(one: str, after: str) -> None:
+    spoken, edges = phones("IH", one, "S", after, words=(0, 0, 1, 1))
+    assert shared_sounds(spoken, edges).tolist() == pytest.approx([0.1, DECODED, DECODED])
 
 
 @pytest.mark.parametrize(

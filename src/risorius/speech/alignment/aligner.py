@@ -24,6 +24,7 @@ from .decoder import MODEL_LANGUAGE, AlignedPhone, AlignmentError, Decoders, Rea
 from .doubt import check_words, mean_score
 from .edges import place_edges
 from .glottal import glottal_starts
+from .hiss_ends import hiss_ends
 from .lexicon import ScriptWord, read_transcript, stresses_of
 from .silences import without_gaps
 from .spectra import band_levels
@@ -176,7 +177,8 @@ def refined(resampled: Resampled, aligned: Sequence[AlignedPhone]) -> list[Align
     edges = np.array([phone.start - start for phone in aligned[1:]])
     symbols = [phone.symbol for phone in aligned]
     placed = voice_ends(levels, aligned, place_edges(levels, symbols, edges))
-    placed = start + glottal_starts(levels, aligned, shared_sounds(aligned, placed))
+    placed = hiss_ends(levels, aligned, shared_sounds(aligned, placed))
+    placed = start + glottal_starts(levels, aligned, placed)
     for index, (before, stop) in enumerate(pairwise(aligned)):
         if before.symbol == SILENCE and phonesets.is_stop(stop.symbol):
             placed[index] -= UNHEARD_CLOSURE

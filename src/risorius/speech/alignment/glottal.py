@@ -2,8 +2,7 @@
 
 Speakers often put a glottal stop, or a few slow pulses of creak, before a vowel that begins a word (Dilley,
 Shattuck-Hufnagel and Ostendorf 1996). The model has no phone for it: the decoder gives it to the word before.
-It is found as a fall of the power where the voice is strong, and after a hiss also of the hiss. Stops end the
-voice themselves, and their bursts are not told from those of the glottis: edges after them stay.
+Stops end the voice themselves, and their bursts are not told from the glottis's: edges after them stay.
 """
 
 from __future__ import annotations
@@ -11,24 +10,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-import numpy as np
-
-from ...core.arrays import Array, BoolArray, Int64Array
+from ...core.arrays import Array
 from ...languages import phonesets
 from .decoder import AlignedPhone
-from .spectra import STEP, STEP_SECONDS, WINDOW, edge_steps
-
-# Seconds before a vowel in which its glottal stop begins.
-_BEFORE = 0.09
-# One lasts 30 ms at least; windows of the spectra lie wholly inside for so long less their own length. A
-# pulse of creak in it is seen for the length of a window.
-_PULSE_STEPS = WINDOW // STEP
-_SHORTEST_STEPS = round(0.03 / STEP_SECONDS) - _PULSE_STEPS
-# The voice falls to a tenth of the vowel's amplitude in the lowest band, where nasals are nearly as strong as
-# vowels; a hiss to a third of its own above 2.2 kHz. Natural logarithms of power, as the levels are.
-_VOICE_FALL, _HISS_FALL = np.log(100.0), np.log(10.0)
-_VOICE, _HISS = 0, 7
-_HISSES = frozenset({"S", "Z", "SH", "ZH", "F", "TH", "V", "DH", "HH"})
+from .spectra import STEP_SECONDS, edge_steps
+from .voice_stops import voice_stops
 
 
 def glottal_starts(levels: Array, phones: Sequence[AlignedPhone], edges: Array) -> Array:
@@ -41,36 +27,7 @@ def glottal_starts(levels: Array, phones: Sequence[AlignedPhone], edges: Array) 
     for index, (before, vowel) in enumerate(pairwise(phones)):
         begins = before.word >= 0 and vowel.word > before.word and phonesets.is_vowel(vowel.symbol)
         if begins and not phonesets.is_stop(before.symbol):
-            start = _voice_stops(levels, before.symbol, steps[index : index + 3])
-            if start is not None:
-                placed[index] = start * STEP_SECONDS
+            stop = voice_stops(levels, before.symbol, steps[index : index + 3])
+            if stop is not None:
+                placed[index] = stop[0] * STEP_SECONDS
     return placed
-
-
-def _voice_stops(levels: Array, before: str, edges: Int64Array) -> int | None:
-    """Return the step at which the voice stops for a vowel between the last two of three `edges`.
-
-    `before` is the phone between the first two. None if the voice does not stop.
-    """
-    first, edge, end = edges.tolist()
-    if not first < edge < end:
-        return None
-    earliest = max(first, edge - round(_BEFORE / STEP_SECONDS))
-    weak = levels[earliest:edge, _VOICE] < np.median(levels[edge:end, _VOICE]) - _VOICE_FALL
-    if before in _HISSES:
-        hiss = levels[first:edge, _HISS:].mean(axis=1)
-        weak &= hiss[earliest - first :] < np.median(hiss[: (len(hiss) + 1) // 2]) - _HISS_FALL
-    # What is weak from the first step on is no fall.
-    falls = [fall for fall in _stretches(weak) if fall[0] > 0]
-    return earliest + falls[-1][0] if falls else None
-
-
-def _stretches(weak: BoolArray) -> list[tuple[int, int]]:
-    """Return the first and last + 1 of the long stretches of weak steps, pulses within them included."""
-    bounds = np.flatnonzero(np.diff(np.concatenate(([False], weak, [False])).astype(np.int8)))
-    joined: list[tuple[int, int]] = []
-    for first, last in bounds.reshape(-1, 2).tolist():
-        if joined and first - joined[-1][1] <= _PULSE_STEPS:
-            first = joined.pop()[0]
-        joined.append((first, last))
-    return [(first, last) for first, last in joined if last - first >= _SHORTEST_STEPS]

@@ -55,12 +55,15 @@ def voice_ends(levels: Array, phones: Sequence[AlignedPhone], edges: Array) -> A
 def shared_sounds(phones: Sequence[AlignedPhone], edges: Array) -> Array:
     """Return the `edges` (n - 1,) with those between two words that meet in one lasting sound at its middle.
 
-    In "this skirt" one /s/ is heard: no edge in it can be.
+    In "Gus saw" one /s/ is heard: no edge in it can be. Where the second word goes on with a consonant, as in
+    "this skirt", the sound is the first word's, as in labels by hand.
     """
     placed = edges.copy()
-    for index, (one, two) in enumerate(pairwise(phones)):
+    for index, (one, two, after) in enumerate(zip(phones, phones[1:], phones[2:], strict=False)):
         alike = one.symbol == two.symbol or {one.symbol, two.symbol} == _HISSES
         lasts = one.symbol in _LASTING or phonesets.is_vowel(one.symbol)
-        if alike and lasts and 0 < index < len(edges) - 1 and 0 <= one.word < two.word:
-            placed[index] = 0.5 * (edges[index - 1] + edges[index + 1])
+        if alike and lasts and index > 0 and 0 <= one.word < two.word:
+            cluster = not (phonesets.is_vowel(two.symbol) or phonesets.is_vowel(after.symbol))
+            first = 1.0 if cluster and after.word == two.word else 0.5
+            placed[index] = (1.0 - first) * edges[index - 1] + first * edges[index + 1]
     return placed
