@@ -2,6 +2,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.ndimage import binary_erosion
 
 from risorius.errors import InputError
 from risorius.looks.anatomy import find_anatomy
@@ -196,9 +197,10 @@ def test_a_draft_shows_what_other_pictures_show(model, face):
     frame = face(masseter=0.4, AU12=0.8, head_yaw=20.0)
     draft, normal = (SoftwareRenderer(model, (240, 240), q) for q in ("draft", "normal"))
     error = np.abs(draft.render(frame).astype(int) - normal.render(frame))
-    skin = (surfaces(draft) == SKIN)[:, :, None]
+    # Edges, which drafts do not smooth, say nothing about light.
+    within = binary_erosion(surfaces(draft) == SKIN, iterations=2)
     assert error.mean() < 3.0
-    assert np.percentile(error[np.broadcast_to(skin, error.shape)], 99) < 40
+    assert np.percentile(error[within], 99) < 24
 
 
 def test_a_draft_is_the_same_whatever_was_drawn_before(model, face):

@@ -32,6 +32,9 @@ _SEED = 45
 _SHARE = 0.42  # longer hairs are drawn wider and in smaller number
 _BESIDE = 5  # a hair with fewer points of others near it is alone
 _SOFT = math.radians(3.0)  # how softly hair is held off the face
+_CROSSED = math.radians(7.0)  # how far a hair may lie over the face's edge
+# How far hair on the cheeks turns inwards and forwards, and by which share it is flatter.
+_INWARDS, _FORWARDS, _FLATTER = 0.45, 0.1, 0.7
 _PARTING = -24.0  # mm: x of the parting
 
 
@@ -76,17 +79,19 @@ def _parted(anatomy: Anatomy, points: Array) -> Array:
 
 
 def _in_place(anatomy: Anatomy, curves: Array) -> Array:
-    """Return which of the hairs `curves` (S, P, 3) neither hang alone below the others nor on the temples,
-    nor stand off the crown.
+    """Return which of the hairs `curves` (S, P, 3) neither hang alone below the others nor on the forehead
+    and the temples, nor stand off the crown.
 
     There, between single hairs, skin would shine through as specks.
     """
     places = curves[:, ::3].reshape(-1, 3)
     high = places[:, 1] > anatomy.eye_height + 40.0 * anatomy.unit
     high &= np.abs(places[:, 0]) > 26.0 * anatomy.unit
-    bare = (high & (inside_hairline(anatomy, places) < 0.0)).reshape(len(curves), -1).any(axis=1)
+    angle, _, least = _around(anatomy, places)
+    bare = (high & (inside_hairline(anatomy, places) < 0.0)) | (angle < least - _CROSSED)
+    is_bare = bare.reshape(len(curves), -1).any(axis=1)
     hangs_alone = curves[..., 1].min(axis=1) < hair_ends(anatomy) - 14.0 * anatomy.unit
-    return np.asarray(~(bare | hangs_alone | _stands_off(anatomy, curves)))
+    return np.asarray(~(is_bare | hangs_alone | _stands_off(anatomy, curves)))
 
 
 def _stands_off(anatomy: Anatomy, curves: Array) -> Array:
@@ -127,7 +132,8 @@ def _hang(anatomy: Anatomy, surface: Surface, roots: HairRoots, rng: np.random.G
         way = k / _STEPS
         place = curves[-1] + step * unit(_ahead(anatomy, curves[-1], normal) + stray)
         above, normal = height_over_skin(tree, smooth, place)
-        wanted = volume * np.sin(np.pi / 2 * min(1.0, 3.2 * way)) + 0.3 + _over_ears(anatomy, place)
+        rise = np.sin(np.pi / 2 * min(1.0, 3.2 * way)) * (1.0 - _FLATTER * _on_the_cheeks(anatomy, place))
+        wanted = volume * rise + 0.3 + _over_ears(anatomy, place)
         lying = smoothstep(-10.0, 30.0, place[:, 1] - anatomy.eye_height)
         # Hair never enters the head, and does not stand off it where it lies on the skull.
         shift = np.maximum(wanted - above, 0.0) + lying * np.minimum(wanted - above, 0.0)
@@ -144,7 +150,7 @@ def _ahead(anatomy: Anatomy, place: Array, normal: Array) -> Array:
     back = 1.0 - smoothstep(-40.0 * u, 10.0 * u, place[:, 2])
     combed = np.stack([aside * high, -1.1 * (1.0 - high), -0.4 * high * back - 0.06], axis=1)
     combed = unit(combed) + 0.06 * wave
-    combed += _turned_in(anatomy, place)
+    combed += _turned_in(anatomy, place) + _to_the_cheeks(anatomy, place)
     lying = smoothstep(-10.0, 30.0, place[:, 1] - anatomy.eye_height)[:, None]
     return unit(lying * flat(combed, normal) + (1.0 - lying) * combed)
 
@@ -157,6 +163,24 @@ def _over_ears(anatomy: Anatomy, place: Array) -> Array:
     return np.asarray(9.0 * u * beside * smoothstep(26.0 * u, 2.0 * u, place[:, 1] - anatomy.eye_height))
 
 
+def _on_the_cheeks(anatomy: Anatomy, place: Array) -> Array:
+    """Return how far, 0..1, hair at places (S, 3) hangs before the ears, where it lies on the cheeks."""
+    u = anatomy.unit
+    before = smoothstep(-100.0 * u, -30.0 * u, place[:, 2])
+    return before * smoothstep(60.0 * u, 20.0 * u, place[:, 1] - anatomy.eye_height)
+
+
+def _to_the_cheeks(anatomy: Anatomy, place: Array) -> Array:
+    """Return what directions (S, 3) of hair at places (S, 3) gain towards the cheeks.
+
+    Beside hair that hung straight down before the ears, these would show as dark stripes beside the face.
+    """
+    ways = np.stack(
+        [-_INWARDS * np.sign(place[:, 0]), np.zeros(len(place)), np.full(len(place), _FORWARDS)], axis=1
+    )
+    return np.asarray(_on_the_cheeks(anatomy, place)[:, None] * ways)
+
+
 def _turned_in(anatomy: Anatomy, place: Array) -> Array:
     """Return what directions (S, 3) of hair at places (S, 3) gain towards the neck: ends turn in."""
     u = anatomy.unit
@@ -166,18 +190,24 @@ def _turned_in(anatomy: Anatomy, place: Array) -> Array:
 
 
 def _off_face(anatomy: Anatomy, place: Array) -> Array:
-    """Return places (S, 3) turned back around the skull's axis until they hang beside the face.
-
-    Above the temples the face ends at the hairline, below them at an angle from the front.
-    """
-    u = anatomy.unit
-    depth = place[:, 2] - AXIS * u
-    angle, reach = np.arctan2(np.abs(place[:, 0]), depth), np.hypot(place[:, 0], depth)
-    least = np.radians(np.interp((place[:, 1] - anatomy.eye_height) / u, *FACE))
+    """Return places (S, 3) turned back around the skull's axis until they hang beside the face."""
+    angle, reach, least = _around(anatomy, place)
     # With a sharp limit the hairs would gather at it, and leave a gap behind them.
     least -= 1.5 * _SOFT
     turned = least + _SOFT * np.logaddexp(0.0, (angle - least) / _SOFT)
     moved = place.copy()
     moved[:, 0] = np.where(place[:, 0] < 0.0, -1.0, 1.0) * reach * np.sin(turned)
-    moved[:, 2] = AXIS * u + reach * np.cos(turned)
+    moved[:, 2] = AXIS * anatomy.unit + reach * np.cos(turned)
     return moved
+
+
+def _around(anatomy: Anatomy, place: Array) -> tuple[Array, Array, Array]:
+    """Return where places (S, 3) are around the skull's axis: their angles (S,) from the front in radians and
+    distances (S,) in mm, and the angles (S,) at which the face ends at their heights.
+
+    Above the temples the face ends at the hairline.
+    """
+    u = anatomy.unit
+    depth = place[:, 2] - AXIS * u
+    angle, reach = np.arctan2(np.abs(place[:, 0]), depth), np.hypot(place[:, 0], depth)
+    return angle, reach, np.radians(np.interp((place[:, 1] - anatomy.eye_height) / u, *FACE))

@@ -16,7 +16,7 @@ _ANGLES = (0, 15, 30, 42, 49, 54, 60, 66, 71, 77, 81, 88, 97, 103, 109, 118, 132
 _HEIGHTS = (61, 61, 61, 58, 49, 38, 27, 10, -6, -14, 4, 8, 7, -6, -28, -40, -52, -62, -66)
 AXIS = -72.0  # mm: z of that axis
 # Heights over the eyes in mm, and the angle from the front within which no hair of chin length hangs there.
-FACE = ((-45.0, -12.0, 10.0, 30.0, 46.0, 56.0, 61.0), (48.0, 52.0, 55.0, 55.0, 51.0, 44.0, 0.0))
+FACE = ((-45.0, -12.0, 10.0, 30.0, 46.0, 56.0, 61.0), (46.0, 49.0, 51.0, 52.0, 50.0, 44.0, 0.0))
 LAYERS = 4
 # How far, in mm, hair of each style stands out over the skin beside it.
 _THICK = {"short": 16.0, "medium": 20.0, "shaved": 0.0, "bald": 0.0}
@@ -79,7 +79,8 @@ def hair_shade(anatomy: Anatomy, style: str, lamps: FloatArray, albedo: float) -
     behind = _behind_hair(anatomy) if style == "medium" else np.zeros(len(skin))
     covered = np.maximum((1.0 - albedo) * _hidden(anatomy, style), behind)
     cast = np.stack([0.85 * ahead(lamp) for lamp in np.asarray(lamps, np.float64)], axis=1)
-    around = np.maximum(0.5 * ahead(np.array([0.0, 1.0, 0.0])), 0.8 * behind)
+    # Light from around comes to the skin through the hair, the more the lighter this is.
+    around = np.maximum(0.5 * ahead(np.array([0.0, 1.0, 0.0])), np.exp(-4.0 * albedo) * behind)
     return 1.0 - (1.0 - covered[:, None]) * (1.0 - cast), around
 
 
@@ -105,7 +106,7 @@ def _behind_hair(anatomy: Anatomy) -> Array:
     end = hair_ends(anatomy)
     height = smoothstep(end - 16.0 * u, end + 4.0 * u, skin[:, 1])
     height *= smoothstep(36.0 * u, 16.0 * u, skin[:, 1] - anatomy.eye_height)
-    return np.asarray(smoothstep(0.0, 11.0, angle - free) * height)
+    return np.asarray(smoothstep(-1.0, 9.0, angle - free) * height)
 
 
 def flow(anatomy: Anatomy, points: Array, normals: Array) -> Array:
