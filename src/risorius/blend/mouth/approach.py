@@ -8,7 +8,8 @@ highest speed, the gap is at most
 
 mm: V·d beside a closure, a parabola between two, and below 0 in a closure, by the seconds to its start and
 end: lips meet at full speed, because their goal lies beyond contact (Löfqvist and Gracco 1997). Beside a tuck
-s(d) = d²/(d + gentle) takes the place of d. The numbers are data (`tradeoffs.toml`).
+s(d) = d²/(d + gentle) takes the place of d. The numbers are data (`tradeoffs.toml`). A closure farther away
+than `FAR` counts for nothing: what is said much later changes no opening.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from ...core.articulators import APERTURE, JAW, PROTRUSION, SEAL_MM, WIDTH
 from ...core.functions import positive_part
 from ...core.lip_rig import seal_of
 from ..intervals import merged
+from ..knots import smoothstep
 from .contact import SEAL, TUCK, Goal, GoalCurve
 from .tradeoffs import tradeoffs
 
@@ -32,6 +34,9 @@ leaves some tenths of a millimetre where they meet."""
 WITHIN = 0.02
 """Seconds at either end of a closure in which its seal comes to shut any gap, however wide."""
 
+NEAR, FAR = 0.3, 0.55
+"""Seconds to a closure up to which it counts wholly, and from which on it counts for nothing: so far from one
+the lips have time for any opening."""
 CHIN = 0.3
 """mm that the chin stays higher for each mm by which closures keep the lips from opening: half of its part in
 an opening (facts: lips-motion, 9), for it is slower than they. With its whole part it went up and down with
@@ -163,8 +168,9 @@ class _Distance:
         return distance
 
     def _slowness(self, distance: Array) -> Array:
-        """Return 1/s = 1/d + gentle/d²."""
+        """Return 1/s = 1/d + gentle/d², which fades to 0 from `NEAR` to `FAR`."""
         near = 1.0 / np.maximum(distance, 0.0)
+        near *= smoothstep(np.clip((FAR - distance) / (FAR - NEAR), 0.0, 1.0))
         return near + self._gentle * near * near if self._gentle else near
 
 
