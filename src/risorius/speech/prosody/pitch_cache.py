@@ -7,6 +7,8 @@ from hashlib import blake2b
 from math import ceil
 from threading import Lock
 
+import numpy as np
+
 from ...core.audio import Audio
 from ..recordings.resampled import Resampled
 from .pitch import Pitch, measure_pitch
@@ -21,6 +23,7 @@ class PitchCache:
 
     def __init__(self, most: int = 256) -> None:
         self._most = most
+        self._sound: SoundDigest | None = None
         self._pitch: OrderedDict[bytes, Pitch] = OrderedDict()
         self._lock = Lock()
 
@@ -29,8 +32,8 @@ class PitchCache:
 
     def measure(self, resampled: Resampled, start: float, end: float, speaker: RunningRange) -> Pitch:
         """Return what `measure_pitch` does."""
-        key = _key(resampled.audio, start, end, speaker)
         with self._lock:
+            key = self._key(resampled.audio, start, end, speaker)
             pitch = self._pitch.pop(key, None)
         if pitch is None:
             pitch = measure_pitch(resampled, start, end, speaker)
@@ -41,14 +44,37 @@ class PitchCache:
                 self._pitch.popitem(last=False)
         return pitch
 
+    def _key(self, audio: Audio, start: float, end: float, speaker: RunningRange) -> bytes:
+        """Return a digest of all that a measurement depends on: the sound up to the end, and who speaks."""
+        samples = ceil((end + _BEYOND) * audio.sample_rate)
+        if self._sound is None or not self._sound.reaches(audio, samples):
+            self._sound = SoundDigest(audio)
+        sound = self._sound.up_to(samples)
+        return sound + repr((audio.sample_rate, start, end, speaker.state)).encode()
 
-def _key(audio: Audio, start: float, end: float, speaker: RunningRange) -> bytes:
-    """Return a digest of all that a measurement depends on: the sound up to the end, and who speaks."""
-    digest = blake2b(repr((audio.sample_rate, start, end, speaker.state)).encode(), digest_size=32)
-    left = ceil((end + _BEYOND) * audio.sample_rate)
-    for block in audio.blocks():
-        digest.update(block[:left].tobytes())
-        left -= len(block)
-        if left <= 0:
-            break
-    return digest.digest()
+
+class SoundDigest:
+    """Digests of a sound up to ever later samples: it is read once, however many runs are measured in it."""
+
+    def __init__(self, audio: Audio) -> None:
+        self._audio, self._blocks = audio, audio.blocks()
+        self._digest = blake2b(digest_size=32)
+        self._read = 0
+        self._block = np.zeros(0, np.int16)
+
+    def reaches(self, audio: Audio, samples: int) -> bool:
+        """Tell whether it can digest this sound up to so many samples."""
+        return audio is self._audio and samples >= self._read
+
+    def up_to(self, samples: int) -> bytes:
+        """Return the digest of so many samples, or of all if there are fewer; no fewer than last time."""
+        while self._read < samples:
+            if not len(self._block):
+                following = next(self._blocks, None)
+                if following is None:
+                    break
+                self._block = following
+            part, self._block = np.split(self._block, [samples - self._read])
+            self._digest.update(part.tobytes())
+            self._read += len(part)
+        return self._digest.digest()
