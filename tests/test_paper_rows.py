@@ -22,7 +22,7 @@ from risorius.rules.emotions import emotion, emotion_text
 from risorius.rules.profiles import profile_of
 from risorius.rules.rule_set import extended, shipped
 
-from .channels.at_work import LID, LONG, Maker, movements
+from .channels.at_work import LID, LONG, THOUGHT_OUT, Maker, movements
 from .paper_curves import (
     FPS,
     FRAME,
@@ -369,7 +369,7 @@ def test_a_display_rises_holds_and_falls_by_its_own_onset_and_offset(name: str) 
 
 
 def test_the_speaker_looks_away_first_and_at_the_listener_last(sentence_of: Maker) -> None:
-    said = sentence_of(LONG)
+    said = sentence_of(THOUGHT_OUT)
     found = movements(said, "regulators.eyes")
     curves = performed([m for m in found if m.channel in ("regulators", "gaze", "head")], said.duration)
     away = np.hypot(*(curves[f"gaze_{a}"] + curves[f"head_{a}"] for a in ("pitch", "yaw")))

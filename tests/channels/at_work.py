@@ -12,6 +12,8 @@ Maker = Callable[..., Utterance]
 LID = "orbicularis_oculi_palpebralis.left"
 SAID = "Well[H*], what about Julia[H*]? She likes popcorn[L+H*]. I am sure[H*], very sure[H*]!"
 LONG = " ".join([SAID] * 12)
+# Its first sentence is as long as one that is begun with a look away.
+THOUGHT_OUT = f"I never know what one says[H*] to people who do not like popcorn[L+H*]. {LONG}"
 
 
 def certain(prefix: str) -> str:

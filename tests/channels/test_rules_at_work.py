@@ -13,7 +13,7 @@ from risorius.core.utterance import Accent, PauseKind
 from risorius.rules.profiles import BLINK_MODELS, attitude, profile, profile_of, profiles
 from risorius.rules.rule_set import shipped
 
-from .at_work import LONG, SAID, Maker, by_rule, movements
+from .at_work import LONG, SAID, THOUGHT_OUT, Maker, by_rule, movements
 
 INNER, FROWN = "frontalis_medialis.left", "corrugator_supercilii.left"
 
@@ -104,19 +104,31 @@ def test_the_type_of_punctuation_depends_on_the_emotion(
 
 
 def test_speakers_look_away_at_the_start_and_at_the_listener_at_the_end(sentence_of: Maker) -> None:
-    said = sentence_of(LONG)
+    said = sentence_of(THOUGHT_OUT)
     found = movements(said, "regulators.eyes")
     away = by_rule(found, "regulators.eyes.state")[0]
     assert away.start == 0.0
     assert np.hypot(away.targets["gaze_pitch"], away.targets["gaze_yaw"]) > 3.0
-    last = [m for m in found if m.layer == "look" and m.end > said.words[-1].end - 2.3]
+    last = [m for m in found if m.layer == "look" and m.end > said.words[-1].end - 0.4]
     assert last
     # Where a face is, seen from 0.8 m.
     assert all(np.hypot(m.targets["gaze_pitch"], m.targets["gaze_yaw"]) < 5.0 for m in last)
 
 
 def test_short_turns_do_not_begin_with_a_look_away(sentence_of: Maker) -> None:
-    assert not by_rule(movements(sentence_of("Oh really?"), "regulators.eyes"), "regulators.eyes.state")
+    """Nor those whose first sentence is short: more is not known yet."""
+    for text in ("Oh really?", f"Oh really? {LONG}"):
+        assert not by_rule(movements(sentence_of(text), "regulators.eyes"), "regulators.eyes.state")
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_look_away_at_the_end_of_a_turn_comes_back(seed: int, sentence_of: Maker) -> None:
+    """Whatever begins before, from .4 s before the end of the last word on the eyes are on the listener."""
+    said = sentence_of(f"{THOUGHT_OUT} Um[H*]… I don't know[H*].")
+    found = [m for m in movements(said, "", seed=seed) if m.layer == "look" and m.channel == "gaze"]
+    last = [m for m in found if m.end > said.words[-1].end - 0.4]
+    assert last
+    assert all(np.hypot(m.targets["gaze_pitch"], m.targets["gaze_yaw"]) < 5.0 for m in last)
 
 
 def test_listeners_nod_and_blink_back(sentence_of: Maker) -> None:
@@ -240,7 +252,7 @@ def test_a_comma_is_underlined_by_slow_movement(sentence_of: Maker) -> None:
 
 
 def test_all_four_sets_of_regulators_are_there(sentence_of: Maker) -> None:
-    found = movements(sentence_of(LONG), "regulators.eyes")
+    found = movements(sentence_of(THOUGHT_OUT), "regulators.eyes")
     rules = {m.cause.rule for m in found}
     assert {f"regulators.eyes.{n}" for n in ("state", "within", "continuation")} <= rules
     assert shipped().get("regulators.eyes.turn").rule.effect.look == "listener"

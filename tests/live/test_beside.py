@@ -35,7 +35,7 @@ def process() -> Iterator[PerformerProcess]:
     process = PerformerProcess()
     while True:
         try:
-            process.ask("text", "Oh.", (), CHOSEN, False)
+            process.ask("text", "Oh.", (), CHOSEN)
             break
         except LostError:
             assert not process.is_lost
@@ -52,12 +52,10 @@ def same(one: Played, other: Played) -> None:
 
 def test_it_performs_as_here_and_says_what_is_wrong(process: PerformerProcess) -> None:
     performer, text = PerformerBeside(process), "I like it. Do you? "
-    for goes_on in (True, False):
-        here = LocalPerformer().text(text, (), CHOSEN, goes_on)
-        same(performer.text(text, (), CHOSEN, goes_on), here)
+    same(performer.text(text, (), CHOSEN), LocalPerformer().text(text, (), CHOSEN))
     with pytest.raises(SpeechError, match="unknown voice"):
-        process.ask("text", "Oh.", (), Settings(voice="nobody"), False)
-    same(performer.text("Oh.", (), CHOSEN, False), LocalPerformer().text("Oh.", (), CHOSEN, False))
+        process.ask("text", "Oh.", (), Settings(voice="nobody"))
+    same(performer.text("Oh.", (), CHOSEN), LocalPerformer().text("Oh.", (), CHOSEN))
 
 
 def test_a_turn_that_grows_is_spoken_only_where_it_has_grown(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -70,21 +68,21 @@ def test_a_turn_that_grows_is_spoken_only_where_it_has_grown(monkeypatch: pytest
     monkeypatch.setattr(EspeakEngine, "speak", counted)
     performer = LocalPerformer()
     for text in ("I like it. ", "I like it. Do you? ", "I like it. Do you? I do. "):
-        grown = performer.text(text, (), CHOSEN, True)
+        grown = performer.text(text, (), CHOSEN)
     # A sentence is spoken anew once another follows it: then it has its pause.
     assert spoken == ["I like it.", "I like it.", "Do you?", "Do you?", "I do."]
-    same(grown, LocalPerformer().text("I like it. Do you? I do. ", (), CHOSEN, True))
+    same(grown, LocalPerformer().text("I like it. Do you? I do. ", (), CHOSEN))
 
 
 def test_a_process_that_ends_costs_nothing_but_time() -> None:
     process = PerformerProcess()
     # Loading still: it is performed here.
-    said = PerformerBeside(process).text("Oh.", (), CHOSEN, False)
+    said = PerformerBeside(process).text("Oh.", (), CHOSEN)
     process.close()
     assert process.is_lost
-    same(PerformerBeside(process).text("Oh.", (), CHOSEN, False), said)
+    same(PerformerBeside(process).text("Oh.", (), CHOSEN), said)
     with pytest.raises(LostError):
-        process.ask("text", "Oh.", (), CHOSEN, False)
+        process.ask("text", "Oh.", (), CHOSEN)
 
 
 class _Process:
@@ -136,11 +134,11 @@ def test_a_paced_face_does_not_wait_for_what_joins_before_the_last_call(
     first, second = "I like it very much here, my dear friend. ", "Do you? "
     joined, allowed = threading.Event(), threading.Event()
 
-    def perform(text: str, feelings: Displays, chosen: Settings, goes_on: bool):  # type: ignore[no-untyped-def]
+    def perform(text: str, feelings: Displays, chosen: Settings):  # type: ignore[no-untyped-def]
         if second.strip() in text:
             joined.set()
             assert allowed.wait(30)
-        return perform_sentence(text, feelings, chosen, goes_on)
+        return perform_sentence(text, feelings, chosen)
 
     def said(at: int | None) -> list[LiveFrame]:
         joined.clear()

@@ -43,7 +43,7 @@ def length(sentence: str) -> int:
     return sum(map(ord, sentence)) % 997 * 24
 
 
-def perform(text: str, feelings: Displays, chosen: Settings, _goes_on: bool = False) -> Take:
+def perform(text: str, feelings: Displays, chosen: Settings) -> Take:
     """Perform sentences at no cost: the letters of each give its value, its sound and its length."""
     if "engine dies" in text:
         raise SpeechError("the engine died")

@@ -20,15 +20,12 @@ from ..rules.resolve import resolve
 from .inputs import ChannelInputs, Context
 from .registry import builder_of
 
-HORIZON = 9.0
-"""How far appended text reaches back, seconds: it changes no movement that ends more than this before the end
-of the last sentence so far.
+HORIZON = 0.55
+"""How far appended text reaches back, seconds: up to this long before the end of the last sentence so far, no
+movement begins, goes on or ends in another way because of it.
 
-The package's rules and profiles keep to it. Gaze reaches furthest: the look at the listener that ends a turn
-begins 2.41 s before the turn's end; a look away that it would break up is left out (up to 2.3 s more), and so
-are an aversion that either look would end too soon (3 s) and a blink just before that (0.6 s). All channels
-but gaze and manipulators keep to 1 s. A user's rule that acts before the end of a turn reaches back by its
-own `lead`.
+That is .9 s before the end of a live turn (DESIGN, section 6), which is silent for .35 s. The package's rules
+and profiles keep to it. A user's rule that acts before the end of a turn reaches back by its own `lead`.
 """
 
 

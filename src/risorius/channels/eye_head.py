@@ -40,11 +40,12 @@ _LARGE = 33.0
 
 @dataclass(frozen=True, slots=True)
 class GazeShift:
-    """Gaze goes to a direction in the world at `start` seconds."""
+    """Gaze goes to a direction in the world at `start` seconds; `blinks`: it may bring a blink."""
 
     start: float
     direction: Angles
     cause: Cause
+    blinks: bool = True
 
 
 def head_share(shift: float, eye: float) -> float:
@@ -169,7 +170,7 @@ def shifts_of(
         if start >= (following.start if following else duration):
             continue
         size = pose.shift(start, shift.direction, shift.cause)
-        if blinks_with(size, habits, numbers.under("blink", number)):
+        if shift.blinks and blinks_with(size, habits, numbers.under("blink", number)):
             yield blink("gaze", start, 1.0, habits, boundaries, Cause(BLINK, shift.cause.trigger), "lids")
     yield from pose.eyes.movements(duration)
     yield from pose.heads.movements(duration)

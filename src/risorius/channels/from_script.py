@@ -28,5 +28,4 @@ def inputs_of(
         emotions=emotions,
         felt=felt_in(script, words, duration),
         listening=listening_in(script, words, duration),
-        goes_on=script.goes_on,
     )

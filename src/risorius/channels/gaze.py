@@ -3,23 +3,29 @@
 Looks come from the script, from rules (regulators, pointing) and from the habit of looking away now and then;
 between them the eyes scan the listener's face (paper B, section 5.2). Every shift is a saccade on the main
 sequence; the head follows a large one by Freedman's law while the eyes counter-rotate.
+
+Nothing is decided by what will be said later: whether a sentence ends the turn shows half a second before its
+end (`HORIZON`). Until then it counts as if it might: what its look at the listener would break up at once is
+not begun.
 """
 
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import count
 
 from ..core.counted import Counted
 from ..core.movement import Cause, Movement
+from ..core.time import TICK
 from ..rules.emotions import emotion_key
 from ..rules.markup import markup_table
 from ..rules.match import EYES, Event
 from ..rules.modulation import rate_of
 from ..rules.profiles import Aversion
-from ..rules.rule import AWAY, TurnState
+from ..rules.rule import AWAY, Level, RuleAnchor, TurnState
 from ..rules.synchrony import MovementPhases
 from .blinks import blink
 from .eye_head import BLINK, Angles, GazeShift, blinks_with, head_help, shifts_of
@@ -36,8 +42,10 @@ LISTENER: Angles = (0.0, 0.0)
 _SHORTEST = 0.3
 # Seconds from the start of one saccade to the next at least (50 to 100 ms between two: Lee et al. 2002).
 _REFRACTORY = 0.15
-# An aversion is not begun if another look would end it within this time, seconds; a later one cuts it short.
-_FORESIGHT = 3.0
+# An aversion is not begun if a sentence, and perhaps the turn, ends within this time, seconds.
+_FORESIGHT = 1.0
+# Seconds after a sentence may have been seen to end in which a shift of gaze brings no blink: the pause does.
+_BLINKLESS = 0.7
 # A factor on how often something happens that makes it happen no more in any clip.
 _NEVER = 1e-9
 # How far a look up or down strays sideways, and one aside up or down: degrees.
@@ -67,10 +75,24 @@ def gaze(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
     looking = [m for m in marked if (m.start, m.end) not in inputs.listening]
     yield from _blinks(looking, inputs, context.numbers)
     looks = [Glance(m.start, m.end, LISTENER, m.cause, fixed=True) for m in looking]
-    numbers = context.numbers
-    looks = _averted(inputs, _commanded(inputs, _apart(looks), context), numbers)
-    shifts = list(_fixations(inputs, looks, numbers))
+    numbers, ends = context.numbers, _Ends(inputs)
+    looks = _averted(inputs, _commanded(inputs, _apart(looks), ends, context), ends, numbers)
+    shifts = list(_fixations(inputs, looks, ends, numbers))
     yield from shifts_of(shifts, inputs.duration, inputs.profile.blinks, inputs.units.boundaries, numbers)
+
+
+class _Ends:
+    """When the looks may begin that end a turn: it may end with each of its sentences."""
+
+    def __init__(self, inputs: ChannelInputs) -> None:
+        ending = (r for r in inputs.rules if r.level is Level.TURN and r.timing.at is RuleAnchor.END)
+        lead = max((r.timing.lead for r in ending if r.effect.look is not None), default=0.0)
+        said = inputs.utterance.sentences if inputs.utterance is not None else ()
+        self._times = [sentence.end - lead for sentence in said]
+
+    def within(self, start: float, end: float) -> bool:
+        """Tell whether such a look may begin in [start, end) seconds."""
+        return bisect_left(self._times, start) < bisect_left(self._times, end)
 
 
 def _blinks(looking: Sequence[Movement], inputs: ChannelInputs, numbers: Counted) -> Iterator[Movement]:
@@ -92,7 +114,7 @@ def _smiles(inputs: ChannelInputs) -> list[Glance]:
 
 def _silence(inputs: ChannelInputs) -> list[Glance]:
     """Return the time after the last word, up to the next listening, as a look at the listener."""
-    if inputs.utterance is None or not inputs.utterance.words or inputs.goes_on:
+    if inputs.utterance is None or not inputs.utterance.words:
         return []
     start = inputs.utterance.words[-1].end
     end = min([inputs.duration, *(first for first, last in inputs.listening if last > start)])
@@ -106,18 +128,22 @@ def _apart(looks: Sequence[Glance]) -> list[Glance]:
     return [replace(k, end=min(k.end, end)) for k, end in zip(ordered, ends, strict=True) if k.start < end]
 
 
-def _commanded(inputs: ChannelInputs, marked: Sequence[Glance], context: Context) -> list[Glance]:
+def _commanded(
+    inputs: ChannelInputs, marked: Sequence[Glance], ends: _Ends, context: Context
+) -> list[Glance]:
     """Return the marked looks, and those of rules where they do not stand against them, one after another."""
     looks = list(marked)
     events = [e for e in context.events if e.rule.effect.look is not None]
     smiles = _smiles(inputs)
     for event in sorted(events, key=lambda e: (e.rule.channel != "gaze", -e.span.start, e.rule.id)):
+        start, direction = event.span.start, _aimed(event, inputs, context.numbers)
         if event.rule.effect.look == AWAY and any(_meets(event.span, smile) for smile in smiles):
             continue
-        direction = _aimed(event, inputs, context.numbers)
-        end = min([event.span.end, *(k.start for k in looks if k.end > event.span.start)])
-        if end - event.span.start >= _SHORTEST:
-            looks.append(Glance(event.span.start, end, direction, Cause(event.rule.id, event.unit.text)))
+        if direction != LISTENER and ends.within(start, start + _SHORTEST):
+            continue
+        end = min([event.span.end, *(k.start for k in looks if k.end > start)])
+        if end - start >= (TICK if direction == LISTENER else _SHORTEST):
+            looks.append(Glance(start, end, direction, Cause(event.rule.id, event.unit.text)))
     return sorted(looks, key=lambda k: k.start)
 
 
@@ -150,10 +176,11 @@ def _around(normal: tuple[float, float], numbers: Counted, what: str) -> float:
     return numbers.normal(what, mean=mean, deviation=deviation, limit=2.0)
 
 
-def _averted(inputs: ChannelInputs, looks: Sequence[Glance], numbers: Counted) -> list[Glance]:
+def _averted(inputs: ChannelInputs, looks: Sequence[Glance], ends: _Ends, numbers: Counted) -> list[Glance]:
     """Return the looks, and among them those away that regulate intimacy (Andrist et al. 2013).
 
-    No smile looks away, and nobody who has said all.
+    No smile looks away, and nobody who has said all; none begins near the end of a sentence. Other looks cut
+    them short.
     """
     found = list(looks)
     looks = sorted([*looks, *_smiles(inputs), *_silence(inputs)], key=lambda k: k.start)
@@ -165,10 +192,13 @@ def _averted(inputs: ChannelInputs, looks: Sequence[Glance], numbers: Counted) -
         habit = _aversion(inputs, time)
         end = time + _around(habit.length, own, "length")
         direction = _away(inputs, own)
-        foreseen = min(end + _SHORTEST, time + _FORESIGHT)
+        foreseen = time + _SHORTEST
         rival = next((k for k in looks if k.start < foreseen and time < k.end + _SHORTEST), None)
         end = min([end, *(k.start for k in looks if k.start >= foreseen)])
-        if rival is None and (end < inputs.duration or inputs.goes_on):
+        if rival is None and ends.within(time, time + _FORESIGHT):
+            time += _FORESIGHT + _SHORTEST
+            continue
+        if rival is None and end < inputs.duration:
             found.append(Glance(time, end, direction, Cause(AVERSION, "habit")))
         last = end if rival is None else rival.end
         if rival is not None and rival.direction == LISTENER:
@@ -188,35 +218,47 @@ def _aversion(inputs: ChannelInputs, time: float) -> Aversion:
     return inputs.profile.gaze.speaking if speaking else inputs.profile.gaze.listening
 
 
-def _fixations(inputs: ChannelInputs, looks: Sequence[Glance], numbers: Counted) -> Iterator[GazeShift]:
+def _fixations(
+    inputs: ChannelInputs, looks: Sequence[Glance], ends: _Ends, numbers: Counted
+) -> Iterator[GazeShift]:
     """Yield the shifts of gaze in order: to each look, back, and about what is looked at meanwhile."""
     time = 0.0
+
+    def shift(start: float, direction: Angles, cause: Cause) -> GazeShift:
+        return GazeShift(start, direction, cause, not ends.within(start - _BLINKLESS, start + TICK))
+
     for number, look in enumerate(looks):
-        yield from _scan(inputs, time, look.start, LISTENER, numbers.under("scan before", number))
-        yield GazeShift(look.start, look.direction, look.cause)
+        before = numbers.under("scan before", number)
+        yield from _scan(inputs, time, look.start, LISTENER, ends, before)
+        yield shift(look.start, look.direction, look.cause)
         if not look.fixed:
-            yield from _scan(inputs, look.start, look.end, look.direction, numbers.under("scan", number))
+            meanwhile = numbers.under("scan", number)
+            yield from _scan(inputs, look.start, look.end, look.direction, ends, meanwhile)
         time = look.end
         if time < inputs.duration:
-            yield GazeShift(time, LISTENER, Cause(REST, "the listener"))
-    yield from _scan(inputs, time, inputs.duration, LISTENER, numbers.under("scan before", len(looks)))
+            yield shift(time, LISTENER, Cause(REST, "the listener"))
+    after = numbers.under("scan before", len(looks))
+    yield from _scan(inputs, time, inputs.duration, LISTENER, ends, after)
 
 
 def _scan(
-    inputs: ChannelInputs, start: float, end: float, centre: Angles, numbers: Counted
+    inputs: ChannelInputs, start: float, end: float, centre: Angles, ends: _Ends, numbers: Counted
 ) -> Iterator[GazeShift]:
-    """Yield saccades about a direction, at random times in (start, end)."""
+    """Yield saccades about a direction, at random times in (start, end); so small, they bring no blink."""
     habits = inputs.profile.gaze
     time = start
     for number in count():
         time += _fixation(habits.scan, numbers.under("fixation", number))
         if time + _REFRACTORY >= end:
             return
+        if ends.within(time, time + _REFRACTORY):
+            continue
         point = (
             numbers.normal("pitch", number, mean=centre[0], deviation=habits.scan_pitch, limit=2.0),
             numbers.normal("yaw", number, mean=centre[1], deviation=habits.scan_yaw, limit=2.0),
         )
-        yield GazeShift(time, point, Cause(SCAN, "the listener's face" if centre == LISTENER else "looking"))
+        cause = Cause(SCAN, "the listener's face" if centre == LISTENER else "looking")
+        yield GazeShift(time, point, cause, blinks=False)
 
 
 def _fixation(mean: float, numbers: Counted) -> float:

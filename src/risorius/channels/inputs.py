@@ -23,8 +23,8 @@ class ChannelInputs:
 
     `utterance` is None where nothing is said. `marks`: the script's movements, of all channels. `emotions`:
     the displays asked for beside the script; `felt`: those that the script marks. `listening`: spans of
-    listening, seconds. `goes_on`: more will be said, in the same turn. `lively`: whether rules, random
-    blinks, small head and eye movements are wanted. `rules`: those that hold.
+    listening, seconds. `lively`: whether rules, random blinks, small head and eye movements are wanted.
+    `rules`: those that hold.
     """
 
     duration: float
@@ -33,7 +33,6 @@ class ChannelInputs:
     emotions: tuple[Display, ...] = ()
     felt: tuple[Display, ...] = ()
     listening: tuple[tuple[float, float], ...] = ()
-    goes_on: bool = False
     articulation: float = 1.0
     manner: str = "plain"
     lively: bool = True
@@ -45,7 +44,7 @@ class ChannelInputs:
     def situation(self) -> Situation:
         """What rules see."""
         felt = (*self.felt, *self.emotions)
-        return Situation(self.duration, self.utterance, felt, self.listening, self.goes_on)
+        return Situation(self.duration, self.utterance, felt, self.listening)
 
     @cached_property
     def units(self) -> Units:

@@ -13,7 +13,6 @@ from ..core.counted import Counted
 from ..core.movement import Cause, Movement
 from ..rules.match import LIDS
 from ..rules.profiles import BlinkHabits
-from ..rules.synchrony import nearest
 from .blinks import blink, blink_depth, blink_seconds
 from .inputs import ChannelInputs, Context
 from .registry import register
@@ -25,7 +24,7 @@ _HAZARDS = (1.0, 10.0, 1000.0)
 # What closes the eyes so far for no longer than this is a blink, seconds.
 _SHUT, _LONGEST = 0.5, 0.8
 # Seconds between two blinks at least.
-_APART = 0.3
+_APART = 0.25
 
 NextBlink = Callable[[float, Counted], float]
 """(end of what the wait runs from, numbers) -> when the next blink comes, seconds."""
@@ -40,7 +39,7 @@ def manipulators(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
     habits, boundaries = inputs.profile.blinks, inputs.units.boundaries
     if not inputs.lively or habits.model == "none":
         return
-    rule, following = _model(habits, boundaries)
+    rule, following = _model(habits)
 
     def added(start: float, number: int) -> Movement:
         depth = blink_depth(habits, context.numbers.under("depth", number))
@@ -67,12 +66,12 @@ def _is_saccade(m: Movement) -> bool:
     return m.channel == "gaze" and m.function == "saccade"
 
 
-def _model(habits: BlinkHabits, boundaries: Sequence[float]) -> tuple[str, NextBlink]:
+def _model(habits: BlinkHabits) -> tuple[str, NextBlink]:
     """Return the rule by which blinks come, and when the next one does."""
     if habits.model == "itti":
         return ITTI, lambda last, numbers: last + itti_wait(numbers, habits.wait)
     if habits.model == "pelachaud":
-        return PELACHAUD, lambda last, _: max(nearest(last + habits.period, boundaries), last + _APART)
+        return PELACHAUD, lambda last, _: last + habits.period
     return NATURAL, lambda last, numbers: last + natural_interval(numbers, *habits.interval)
 
 

@@ -125,17 +125,15 @@ class PerformerBeside:
         """It has moved."""
         return False
 
-    def text(self, text: str, feelings: Displays, settings: Settings, goes_on: bool) -> Played:
+    def text(self, text: str, feelings: Displays, settings: Settings) -> Played:
         """Perform a text."""
         if settings.voice is not None and is_voice_file(settings.voice):
-            return self._here.text(text, feelings, settings, goes_on)
-        return self._answer(self._here.text, text, feelings, settings, goes_on)
+            return self._here.text(text, feelings, settings)
+        return self._answer(self._here.text, text, feelings, settings)
 
-    def voice(
-        self, phrases: Sequence[HeardPhrase], feelings: Displays, settings: Settings, goes_on: bool
-    ) -> Played:
+    def voice(self, phrases: Sequence[HeardPhrase], feelings: Displays, settings: Settings) -> Played:
         """Perform phrases of a voice."""
-        return self._answer(self._here.voice, phrases, feelings, settings, goes_on)
+        return self._answer(self._here.voice, phrases, feelings, settings)
 
     def hear(self, phrase: VoicedPhrase, language: str) -> HeardPhrase:
         """Return what a phrase says when."""

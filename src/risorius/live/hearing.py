@@ -106,19 +106,17 @@ def perform_voice(
     feelings: Displays,
     settings: Settings,
     *,
-    goes_on: bool = False,
     measure: MeasurePitch = measure_pitch,
 ) -> Take:
     """Perform phrases that follow one another, with the settings' lead before them and their tail after.
 
-    With `goes_on` more will be said, in the same turn. `measure` measures pitch.
+    `measure` measures pitch.
     """
     settings = with_profile(settings)
     utterance = measured(_joined(phrases, settings), measure=measure)
     line = SpokenLine(utterance.text, 0.0, Place("live"))
     script = script_of((line,), timed=False, source="live", language=utterance.language)
-    score = compose(replace(script, goes_on=goes_on), utterance, feelings, settings)
-    return combine(score, settings, utterance)
+    return combine(compose(script, utterance, feelings, settings), settings, utterance)
 
 
 def texts_of(phrases: Sequence[HeardPhrase]) -> tuple[str, ...]:

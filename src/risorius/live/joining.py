@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from concurrent.futures import Future, ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 from math import ceil
 
@@ -17,37 +17,30 @@ _WAIT, _WAIT_A_CHARACTER = 0.2, 0.002
 
 @dataclass(frozen=True, slots=True)
 class Joining:
-    """The turn with the `sentences` that join it, which plays from the frame `at` on; with none it ends."""
+    """The turn with the `sentences` that join it, which plays from the frame `at` on."""
 
     at: int
     sentences: tuple[LiveSentence, ...]
     turn: Future[PerformedTurn]
 
 
-def join_later(
-    playing: LiveStretch, new: tuple[LiveSentence, ...], plan: TurnPlan, frame: int, *, goes_on: bool
-) -> Joining:
-    """Perform a turn that plays `frame` next with new sentences: from their last call on at the latest.
-
-    With `goes_on` still more will be said.
-    """
-    at = max(
-        frame, min(frame + _wait((*playing.sentences, *new), plan), playing.last_call(plan.settings.fps))
-    )
-    turn = _threads(plan.performer.threads).submit(plan.extended, playing.sentences, new, goes_on=goes_on)
+def join_later(playing: LiveStretch, new: tuple[LiveSentence, ...], plan: TurnPlan, frame: int) -> Joining:
+    """Perform a turn that plays `frame` next with new sentences: from their last call on at the latest."""
+    at = _heard_from(playing, (*playing.sentences, *new), plan, frame)
+    turn = _threads(plan.performer.threads).submit(plan.extended, playing.sentences, new)
     return Joining(at, new, turn)
 
 
-def end_later(playing: LiveStretch, plan: TurnPlan, frame: int, *, told: bool) -> Joining | None:
-    """Perform a turn that plays `frame` next as one that ends; None while there is time for more.
+def lead_on_later(playing: LiveStretch, following: LiveSentence, plan: TurnPlan, frame: int) -> Joining:
+    """Perform a full turn that plays `frame` next as one that another follows at once."""
+    at = _heard_from(playing, (*playing.sentences, following), plan, frame)
+    turn = _threads(plan.performer.threads).submit(plan.led_on, playing, following)
+    return Joining(at, (), turn)
 
-    `told`: nothing more will be said.
-    """
-    at = playing.last_call(plan.settings.fps)
-    if not (told or frame >= at - _wait(playing.sentences, plan)):
-        return None
-    joining = join_later(playing, (), plan, frame, goes_on=False)
-    return joining if told else replace(joining, at=max(frame, at))
+
+def _heard_from(playing: LiveStretch, sentences: tuple[LiveSentence, ...], plan: TurnPlan, frame: int) -> int:
+    """Return the frame from which on a turn of these sentences is heard in place of the one that plays."""
+    return max(frame, min(frame + _wait(sentences, plan), playing.last_call(plan.settings.fps)))
 
 
 def _wait(sentences: tuple[LiveSentence, ...], plan: TurnPlan) -> int:

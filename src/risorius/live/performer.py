@@ -25,23 +25,21 @@ from . import hearing
 from .hearing import HeardPhrase, Hearing
 from .voice import VoicedPhrase
 
-PerformSentence = Callable[[str, Displays, Settings, bool], Take]
-"""Performs a text with what is felt; the last says whether more will be said in the same turn."""
+PerformSentence = Callable[[str, Displays, Settings], Take]
+"""Performs a text with what is felt."""
 
 
 def perform_sentence(
     text: str,
     feelings: Displays,
     settings: Settings,
-    goes_on: bool = False,
     before: SpokenBefore | None = None,
 ) -> Take:
-    """Perform sentences as `speak` does; with `goes_on` more will be said, in the same turn.
+    """Perform sentences as `speak` does.
 
     What was spoken `before` is not spoken again; what is spoken is added to it.
     """
-    language = settings.language
-    given = Input(text, text=True, name="live", language=language, goes_on=goes_on, before=before)
+    given = Input(text, text=True, name="live", language=settings.language, before=before)
     return perform_input(given, feelings, settings)
 
 
@@ -87,13 +85,11 @@ class TurnPerformer(Protocol):
         """Whether another process could do the same, and does not yet."""
         ...
 
-    def text(self, text: str, feelings: Displays, settings: Settings, goes_on: bool) -> Played:
-        """Perform a text; with `goes_on` more will be said, in the same turn."""
+    def text(self, text: str, feelings: Displays, settings: Settings) -> Played:
+        """Perform a text."""
         ...
 
-    def voice(
-        self, phrases: Sequence[HeardPhrase], feelings: Displays, settings: Settings, goes_on: bool
-    ) -> Played:
+    def voice(self, phrases: Sequence[HeardPhrase], feelings: Displays, settings: Settings) -> Played:
         """Perform phrases of a voice that follow one another."""
         ...
 
@@ -123,17 +119,14 @@ class LocalPerformer:
         """Whether no other `perform` was given."""
         return self._is_plain
 
-    def text(self, text: str, feelings: Displays, settings: Settings, goes_on: bool) -> Played:
+    def text(self, text: str, feelings: Displays, settings: Settings) -> Played:
         """Perform a text."""
-        return played(self._perform(text, feelings, settings, goes_on))
+        return played(self._perform(text, feelings, settings))
 
-    def voice(
-        self, phrases: Sequence[HeardPhrase], feelings: Displays, settings: Settings, goes_on: bool
-    ) -> Played:
+    def voice(self, phrases: Sequence[HeardPhrase], feelings: Displays, settings: Settings) -> Played:
         """Perform phrases of a voice."""
         measure = self._before.pitch.measure
-        take = hearing.perform_voice(phrases, feelings, settings, goes_on=goes_on, measure=measure)
-        return played(take)
+        return played(hearing.perform_voice(phrases, feelings, settings, measure=measure))
 
     def hear(self, phrase: VoicedPhrase, language: str) -> HeardPhrase:
         """Return what a phrase says when."""

@@ -27,7 +27,7 @@ from ..settings import Settings
 from .beside import performer_beside
 from .frame import LiveFrame
 from .idle import IDLE_SECONDS, idle_take
-from .joining import Joining, end_later, join_later
+from .joining import Joining, join_later, lead_on_later
 from .listening import PauseListener, nod_pitch
 from .looking import Looking, direction_of
 from .pace import Pace
@@ -44,6 +44,7 @@ from .seam import SEAM, Seam
 from .turn import (
     FEW_SENTENCES,
     FIRST_CHARACTERS,
+    MOST_SENTENCES,
     TAIL,
     LiveStretch,
     PerformedTurn,
@@ -286,7 +287,6 @@ class Live:
             if playing and (self._next >= playing.end or self._interrupted):
                 playing = None
             self._interrupted = False
-            goes_on = False
             if playing is not None and playing.sentences:
                 if not self._joins(playing):
                     return playing
@@ -296,13 +296,12 @@ class Live:
                 few = FEW_SENTENCES, FIRST_CHARACTERS
                 sentences = self._beginning = self._waiting.take(None, *few, heard=not self._waits)
                 feelings = sentences[0].feelings if sentences else self._waiting.felt
-                goes_on = bool(sentences) and self._waiting.follows(sentences)
                 if not sentences and self._closed and not len(self._waiting):
                     return None
         if self._joining is not None:
             self._join(self._joining)
         elif sentences or playing is None:
-            self._begin(sentences, feelings, goes_on=goes_on)
+            self._begin(sentences, feelings)
         return self._stretch
 
     def _performing(self) -> tuple[LiveSentence, ...]:
@@ -312,21 +311,24 @@ class Live:
     def _joins(self, playing: LiveStretch) -> bool:
         """Have sentences that came in time join the turn that plays; tell whether they are due."""
         plan = self._plan
-        in_time = plan is not None and self._next <= playing.last_call(plan.settings.fps)
-        if in_time and not self._performing():
-            assert plan is not None
-            most = room(len(playing.sentences), len(self._waiting))
+        if plan is not None and self._may_join(playing, plan):
+            most = room(len(playing.sentences))
             new = self._waiting.take(playing.sentences[0], most, heard=not self._waits)
-            goes_on = self._waiting.follows((*playing.sentences, *new))
+            following = self._waiting.next_of(playing.sentences[0])
             if new:
-                self._joining = join_later(playing, new, plan, self._next, goes_on=goes_on)
-            elif playing.goes_on and self._joining is None and (most or not goes_on):
-                self._joining = end_later(playing, plan, self._next, told=not goes_on)
+                self._joining = join_later(playing, new, plan, self._next)
+            elif len(playing.sentences) >= MOST_SENTENCES and following is not None:
+                self._joining = lead_on_later(playing, following, plan, self._next)
         joining = self._joining
         if joining is None or self._next < joining.at:
             return False
         # Frames that must come in time go on without it, as long as that is no sentence's end.
         return self._waits or joining.turn.done() or self._next >= playing.last_call(self._settings.fps)
+
+    def _may_join(self, playing: LiveStretch, plan: TurnPlan) -> bool:
+        """Tell whether there is time to join the turn that plays, and nothing joins it yet."""
+        in_time = self._next <= playing.last_call(plan.settings.fps)
+        return in_time and not playing.is_full and self._joining is None and not self._beginning
 
     def _join(self, joining: Joining) -> None:
         """Go on with the turn that others have joined; an error in them is raised, and it goes on without."""
@@ -352,18 +354,15 @@ class Live:
         if performed.error is not None:
             raise performed.error
 
-    def _begin(self, sentences: tuple[LiveSentence, ...], feelings: Displays, *, goes_on: bool) -> None:
-        """Begin a turn, or an idle stretch; raises RisoriusError for a sentence that cannot be spoken.
-
-        With `goes_on` it is known that more will be said.
-        """
+    def _begin(self, sentences: tuple[LiveSentence, ...], feelings: Displays) -> None:
+        """Begin a turn, or an idle stretch; raises RisoriusError for a sentence that cannot be spoken."""
         before, self._stretch = self._stretch, None
         if sentences:
             # The first turn has the random numbers of `speak`, every other one others.
             chosen = replace(self._settings, seed=self._settings.seed + self._turns)
             chosen, first = self._after(before, chosen, feelings)
             self._plan = TurnPlan(self._performer, chosen, feelings, first, self._sample_rate)
-            performed = self._plan.extended((), sentences, goes_on=goes_on)
+            performed = self._plan.extended((), sentences)
             with self._lock:
                 if self._interrupted:
                     # While it was performed: nothing of it is said.

@@ -19,13 +19,11 @@ from .waiting import LiveSentence
 
 TAIL = 0.35
 """Seconds of silence behind a sentence; with the seam before the next they make its pause."""
-FIRST_CHARACTERS = 200
-"""Characters with which a turn begins, if there are so many: the others join it while it plays. What is said
-after so much text changes nothing of its first second (`channels.HORIZON`)."""
+FIRST_CHARACTERS = 100
+"""Characters with which a turn begins, if there are so many: the others join it while it plays."""
 FEW_SENTENCES, GROWTH, MOST_SENTENCES = 8, 4, 64
-"""Sentences of a turn, at most 64. Joining performs the turn anew: one of more than a few sentences is joined
-only by as many as it has at least, and grows at most so many times, so that the cost of a sentence is
-bounded."""
+"""Sentences of a turn, at most 64. Joining performs the turn anew: it grows at most so many times at once, and
+what would make it longer than that begins another one, so that the cost of a sentence is bounded."""
 LAST_CALL = 0.9
 """Seconds before a turn's end after which no sentence joins it (DESIGN, section 6)."""
 PREROLL = 1.0
@@ -37,8 +35,8 @@ class LiveStretch:
     """What is played: values (frames, parameters) and samples, from the face's frame `first` on.
 
     `sentences`: what is said, none if nothing is; `spoken`: their text, and as `labels` that of each.
-    `starts`: seconds at which each begins. `words`: seconds and first character of each. `goes_on`: it was
-    performed as a turn that does not end with it.
+    `starts`: seconds at which each begins. `words`: seconds and first character of each. `is_full`: nothing
+    joins it any more.
     """
 
     first: int
@@ -51,7 +49,7 @@ class LiveStretch:
     starts: tuple[float, ...] = ()
     words: tuple[tuple[float, int], ...] = ()
     feelings: Displays = ()
-    goes_on: bool = False
+    is_full: bool = False
 
     @property
     def end(self) -> int:
@@ -85,35 +83,55 @@ class TurnPlan:
     first: int
     rate: int
 
-    def performed(self, sentences: tuple[LiveSentence, ...], *, goes_on: bool) -> LiveStretch:
-        """Perform sentences together; raises RisoriusError if that cannot be done.
-
-        With `goes_on` more will be said: nothing is done yet that ends a turn.
-        """
+    def performed(self, sentences: tuple[LiveSentence, ...]) -> LiveStretch:
+        """Perform sentences together; raises RisoriusError if that cannot be done."""
         phrases = [sentence.voice.result() for sentence in sentences if sentence.voice is not None]
         if phrases:
-            played = self.performer.voice(phrases, self.feelings, self.settings, goes_on)
+            played = self.performer.voice(phrases, self.feelings, self.settings)
             texts = texts_of(phrases)
         else:
             texts = tuple(sentence.text for sentence in sentences)
-            played = self.performer.text("".join(texts), self.feelings, self.settings, goes_on)
-        stretch = stretch_of(played, sentences, texts, self.first, self.feelings, self.rate)
-        return replace(stretch, goes_on=goes_on)
+            played = self.performer.text("".join(texts), self.feelings, self.settings)
+        return stretch_of(played, sentences, texts, self.first, self.feelings, self.rate)
 
-    def extended(
-        self, before: tuple[LiveSentence, ...], new: tuple[LiveSentence, ...], *, goes_on: bool
-    ) -> PerformedTurn:
+    def extended(self, before: tuple[LiveSentence, ...], new: tuple[LiveSentence, ...]) -> PerformedTurn:
         """Perform a turn with new sentences. If they cannot be spoken together, the others wait again."""
         try:
-            return PerformedTurn(self.performed((*before, *new), goes_on=goes_on), faults=_faults(new))
+            return PerformedTurn(self.performed((*before, *new)), faults=_faults(new))
         except RisoriusError as error:
             if len(new) <= 1:
                 return PerformedTurn(error=error)
         try:
-            first = self.performed((*before, new[0]), goes_on=True)
+            first = self.performed((*before, new[0]))
             return PerformedTurn(first, new[1:], _faults(new[:1]))
         except RisoriusError as error:
             return PerformedTurn(None, new[1:], error=error)
+
+    def led_on(self, playing: LiveStretch, following: LiveSentence) -> PerformedTurn:
+        """Perform a full turn as one that another follows at once, with a sentence that is not played.
+
+        It ends where the sound of the next turn begins, so that the pause between them is like any other.
+        """
+        try:
+            longer = self.performed((*playing.sentences, following))
+        except RisoriusError:
+            # Whoever says the sentence tells what is wrong with it.
+            return PerformedTurn(replace(playing, is_full=True))
+        if following.voice is None:
+            border = longer.starts[len(playing.labels)] - self.settings.lead
+        else:
+            heard = following.voice.result().phrase.duration + self.settings.tail
+            border = len(longer.samples) / longer.sample_rate - heard
+        frames = round(border * self.settings.fps)
+        samples = round(frames * longer.sample_rate / self.settings.fps)
+        return PerformedTurn(
+            replace(
+                playing,
+                values=longer.values[:frames],
+                samples=longer.samples[:samples],
+                is_full=True,
+            )
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,10 +151,9 @@ def _faults(sentences: Sequence[LiveSentence]) -> tuple[str, ...]:
     return tuple(phrase.fault for phrase in phrases if phrase.fault)
 
 
-def room(size: int, waiting: int) -> int:
-    """Return how many of the sentences that wait may join a turn of this size."""
-    enough = (GROWTH - 1) * size if waiting >= size else 0
-    return min(max(FEW_SENTENCES - size, enough), MOST_SENTENCES - size)
+def room(size: int) -> int:
+    """Return how many sentences may join a turn of this size at a time."""
+    return min(max(FEW_SENTENCES - size, (GROWTH - 1) * size), MOST_SENTENCES - size)
 
 
 def stretch_of(

@@ -64,10 +64,6 @@ class WaitingSentences:
         """Tell whether something waits for its end."""
         return bool(self._text) or bool(self._voice)
 
-    def follows(self, sentences: tuple[LiveSentence, ...]) -> bool:
-        """Tell whether more will certainly be said in a turn of these sentences, or at once after it."""
-        return self._whole[0].joins(sentences[0]) if self._whole else self.is_unfinished
-
     def __len__(self) -> int:
         return len(self._whole)
 
@@ -124,6 +120,11 @@ class WaitingSentences:
             taken.append(self._whole.popleft())
             first = first or following
         return tuple(taken)
+
+    def next_of(self, first: LiveSentence) -> LiveSentence | None:
+        """Return the next sentence, if it is heard and can be performed together with the first."""
+        following = self._whole[0] if self._whole else None
+        return following if following and following.is_heard and following.joins(first) else None
 
     def put_back(self, sentences: Iterable[LiveSentence]) -> None:
         """Let sentences wait again, before all others."""

@@ -42,7 +42,7 @@ def _warm() -> LocalPerformer:
 
     performer = LocalPerformer()
     with contextlib.suppress(RisoriusError):  # whoever asks is told
-        performer.text("Hello.", (), Settings(), False)
+        performer.text("Hello.", (), Settings())
     return performer
 
 

@@ -83,8 +83,6 @@ def _matched(
         size = size_of(rule.id, ways) * _varied(rule.effect.vary, alike)
         mirrored = rule.effect.mirror and alike.uniform("side") >= 0.5 * (1.0 + side)
         span = _span(rule, unit, own.uniform("place"))
-        if units.situation.goes_on and span.start >= units.situation.duration:
-            continue  # at the end of the turn, which is not known
         yield _event(rule, unit, units, span, size, mirrored=mirrored)
 
 
@@ -149,8 +147,7 @@ def _event(
     if rule.timing.snap:
         span = snapped(span, units.boundaries)
     duration = units.situation.duration
-    held = rule.level is Level.PAUSE or units.situation.goes_on
-    if rule.timing.at is RuleAnchor.WHOLE and held and unit.end > duration - TICK:
+    if rule.timing.at is RuleAnchor.WHOLE and rule.level is Level.PAUSE and unit.end > duration - TICK:
         return Event(rule, unit, _until_the_end(span, duration), targets, size)
     return Event(rule, unit, _inside(span, duration), targets, size)
 

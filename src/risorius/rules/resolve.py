@@ -10,6 +10,8 @@ from .markup import markup_table
 from .match import Event
 from .modulation import is_under
 
+# What begins so much later than an event, seconds, is not foreseen when that begins, and does not pause it.
+_FORESIGHT = 0.6
 # Events of one part of the face closer than this would be one movement, seconds.
 APART = 0.05
 
@@ -36,7 +38,8 @@ def _is_taken(event: Event, taken: Iterable[tuple[float, float, frozenset[str]]]
 
 
 def _pauses(other: Event, event: Event) -> bool:
-    meet = other.span.start < event.span.end and event.span.start < other.span.end
+    end = min(event.span.end, event.span.start + _FORESIGHT)
+    meet = other.span.start < end and event.span.start < other.span.end
     return meet and any(is_under(event.rule.id, prefix) for prefix in other.rule.pauses)
 
 

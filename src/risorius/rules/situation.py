@@ -12,15 +12,12 @@ from .rule import TurnState
 
 @dataclass(frozen=True, slots=True)
 class Situation:
-    """`felt`: emotions with their spans. `listening`: spans of listening in order, seconds. `goes_on`: more
-    will be said after what is known, in the same turn.
-    """
+    """`felt`: emotions with their spans. `listening`: spans of listening in order, seconds."""
 
     duration: float
     utterance: Utterance | None = None
     felt: tuple[Display, ...] = ()
     listening: tuple[tuple[float, float], ...] = ()
-    goes_on: bool = False
 
     def emotions_at(self, time: float) -> Mapping[str, float]:
         """Return the emotions felt at a time, by name, with their intensities 0..1."""

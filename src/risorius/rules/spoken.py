@@ -5,18 +5,15 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections import Counter
 from collections.abc import Container, Iterable, Iterator, Sequence
-from dataclasses import replace
 from typing import Any, Protocol
 
 from ..core.utterance import SILENCE, Accent, Pause, PauseKind, Utterance
-from .discourse import Turn, groups_of, rate_of_phrase, turns_of
+from .discourse import groups_of, rate_of_phrase, turns_of
 from .rule import Level, Position
 from .situation import Situation
 from .synchrony import synchrony
 from .unit import Unit
 
-LATER = 60.0
-"""Seconds after all that is known at which a turn that goes on is taken to end: no rule reaches so far."""
 # Words of a stretch that messages show.
 _SHOWN = 8
 
@@ -53,7 +50,7 @@ class SpokenUnits:
         self._stretches: dict[Level, Sequence[WordRange]] = {
             Level.PHRASE: said.phrases,
             Level.UTTERANCE: said.sentences,
-            Level.TURN: _open(turns_of(said, situation.listening), situation),
+            Level.TURN: turns_of(said, situation.listening),
         }
         self._first_words = {level: [s.first_word for s in own] for level, own in self._stretches.items()}
         self._accented_words = [accent.word for accent in said.accents]
@@ -86,8 +83,9 @@ class SpokenUnits:
         )  # fmt: skip
 
     def _texts(self, index: int) -> frozenset[str]:
-        """Return a word's text, and those of the two and three words that begin with it."""
-        texts = [w.text.lower().replace("’", "'") for w in self.said.words[index : index + 3]]
+        """Return a word's text, and those of the two and three words of its sentence that begin with it."""
+        end = self._stretches[Level.UTTERANCE][self._index(Level.UTTERANCE, index)].last_word
+        texts = [w.text.lower().replace("’", "'") for w in self.said.words[index : min(index + 3, end)]]
         return frozenset(" ".join(texts[: n + 1]) for n in range(len(texts)))
 
     def _accented(self, accents: Sequence[Accent]) -> dict[str, Any]:
@@ -178,8 +176,7 @@ class SpokenUnits:
     def stretches(self, level: Level) -> Iterator[Unit]:
         """Yield phrases, by their place in the utterance, utterances, by that in the turn, or turns."""
         stretches = self._stretches[level]
-        goes_on = level is Level.UTTERANCE and self.situation.goes_on
-        positions = _positions((self._owner(level, s.first_word) for s in stretches), goes_on=goes_on)
+        positions = _positions(self._owner(level, s.first_word) for s in stretches)
         counts = Counter[int]()
         for s, position in zip(stretches, positions, strict=True):
             text = f'"{self._text(self._naming(level, s))}"'
@@ -229,22 +226,10 @@ def _kind(pause: Pause | None) -> PauseKind | None:
     return None if pause is None else pause.kind
 
 
-def _open(turns: tuple[Turn, ...], situation: Situation) -> tuple[Turn, ...]:
-    """Return turns of which the last ends after all that is known, if it goes on."""
-    if not (situation.goes_on and turns):
-        return turns
-    return (*turns[:-1], replace(turns[-1], end=situation.duration + LATER))
-
-
-def _positions(owners: Iterable[int], *, goes_on: bool) -> Iterator[Position]:
-    """Yield the position of each of some units among those with the same owner; owners come in order.
-
-    With `goes_on` another one of the last owner will follow.
-    """
+def _positions(owners: Iterable[int]) -> Iterator[Position]:
+    """Yield the position of each of some units among those with the same owner; owners come in order."""
     listed = list(owners)
     counts, seen = Counter(listed), Counter[int]()
-    if goes_on:
-        counts[listed[-1]] += 1
     for owner in listed:
         yield _position(seen[owner], counts[owner])
         seen[owner] += 1

@@ -81,8 +81,7 @@ class Script:
     """The words to speak, line by line, and the marks.
 
     `text`: all lines, joined by line ends. `timed`: times are absolute, without lead or tail (markup).
-    `source`: the file's name. `language`: None where the source does not say. `goes_on`: more will be said,
-    in the same turn.
+    `source`: the file's name. `language`: None where the source does not say.
     """
 
     text: str
@@ -91,7 +90,6 @@ class Script:
     timed: bool = False
     source: str = "text"
     language: str | None = None
-    goes_on: bool = False
 
     def lasting(self, words: Sequence[Word], spoken: float) -> float:
         """Return how many seconds the performance lasts at least; `words` fill `spoken` seconds.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
 
@@ -23,8 +23,8 @@ class Input:
     `script`: a text or the name of a file, a TextGrid among them; `text` takes it as a text whatever it looks
     like, `name` stands for it in messages. `audio`: the file of a recording; `transcript`: its words, or the
     name of a file with them; `language`: that of a recording's words. `content`: what the file `script`
-    holds, if it is not to be read from there. `goes_on`: more will be said after it, in the same turn. What
-    was spoken `before` is not spoken again; what is spoken is added to it.
+    holds, if it is not to be read from there. What was spoken `before` is not spoken again; what is spoken is
+    added to it.
     """
 
     script: str | None = None
@@ -34,7 +34,6 @@ class Input:
     name: str = "text"
     content: str | None = None
     language: str | None = None
-    goes_on: bool = False
     before: SpokenBefore | None = field(default=None, compare=False)
 
     @property
@@ -66,10 +65,8 @@ def read(source: Input) -> Script | Recording | LabelledRecording:
 
 def _script(source: Input, script: str) -> Script:
     if source.content is not None:
-        read_one = parse_script(source.content, Path(script).suffix.lower(), script)
-    else:
-        read_one = read_script(script, text=source.text, source=source.name)
-    return replace(read_one, goes_on=source.goes_on)
+        return parse_script(source.content, Path(script).suffix.lower(), script)
+    return read_script(script, text=source.text, source=source.name)
 
 
 def read_transcript(transcript: str | None) -> str | None:
