@@ -22,8 +22,8 @@ TAIL = 0.35
 FIRST_CHARACTERS = 100
 """Characters with which a turn begins, if there are so many: the others join it while it plays."""
 FEW_SENTENCES, GROWTH, MOST_SENTENCES = 8, 4, 64
-"""Sentences of a turn, at most 64. Joining performs the turn anew: it grows at most so many times at once, and
-what would make it longer than that begins another one, so that the cost of a sentence is bounded."""
+"""Sentences of a turn, at most 64. Joining performs a turn anew: it grows at most so many times at once, and
+what would make it longer than that begins another one. So the cost of a sentence is bounded."""
 LAST_CALL = 0.9
 """Seconds before a turn's end after which no sentence joins it (DESIGN, section 6)."""
 PREROLL = 1.0
