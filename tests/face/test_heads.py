@@ -23,12 +23,14 @@ TH = {"masseter": 0.11, "depressor_labii": 0.25, "tongue_out": 1.0}
 HEADS = shipped_heads()
 AGED = [("standard", 50), ("standard", 75), ("amara", 75), ("mei", 90), ("olaf", 25), ("kenji", 25)]
 DAILY = [("amara", 75)]
+PRESSED = {"orbicularis_oris_presser": 1.0, "mentalis": 1.0}
 POSES = [
     {"zygomatic_major": 1.0, "levator_labii_nasi": 1.0},
     {"triangularis": 1.0, "mentalis": 1.0},
     {"orbicularis_oris_funneler": 1.0, "risorius": 0.6},
     {"orbicularis_oris_presser": 1.0, "zygomatic_minor": 0.5},
     {"levator_labii_superioris": 1.0, "depressor_labii": 1.0},
+    PRESSED,
 ]
 
 
@@ -45,6 +47,10 @@ def test_lips_are_together_at_rest(laws):
 
 def test_lips_do_not_pass_through_each_other(laws):
     assert max(map(laws.overlap, POSES)) < OVERLAP
+
+
+def test_pressed_lips_stay_shut_while_the_chin_rises(laws):
+    assert laws.opening(PRESSED) < 0.4
 
 
 def test_a_seal_closes_the_mouth(laws):

@@ -8,10 +8,13 @@ Two muscles can also move together what neither moves alone: where the muscles t
 mouth back and down hold each other, it goes in. Such a joint field acts by the share p / (p + HALF²) (1 − p²)
 of the product p of both activations: it needs both, is half where each is HALF, and ends where both contract
 fully: there their own fields are the whole.
+
+Muscles that push one lip from two sides hold each other (`YIELDS`): each contracts less, the more both do.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -20,7 +23,7 @@ import numpy as np
 from ..core.arrays import Array, ByteArray, IndexArray, IntArray, UInt32Array, UInt64Array
 from ..core.kernels.four import Four, any_above, four, larger, root, row, set_row, where_above
 from ..core.kernels.jit import inlined, kernel, lean_device, lean_kernel
-from ..core.parameters import INDEX, PARAMETERS
+from ..core.parameters import INDEX, PARAMETERS, parameters_named
 from ..errors import HeadError
 from .head import Field, Head
 from .roots import inverse_cube_roots
@@ -37,6 +40,21 @@ SHEETS = {
     "orbicularis_oculi_orbitalis": "zygomatic_major",
 }
 
+# Muscles that push the same lip, and the share of its activation that each loses where both contract fully.
+# The shares of one muscle add up to at most a half, so that more activation never moves the skin less.
+YIELDS = {
+    ("orbicularis_oris_presser", "mentalis"): 0.4,
+    ("orbicularis_oris_presser", "levator_labii_superioris"): 0.1,
+    ("zygomatic_major", "mentalis"): 0.1,
+}
+
+
+class Yields(NamedTuple):
+    """Muscles that hold each other: parameters `holding` (y, 2), and the `share` (y,) the first loses."""
+
+    holding: UInt32Array
+    share: Array
+
 
 @dataclass(frozen=True, slots=True)
 class MuscleFields:
@@ -47,6 +65,7 @@ class MuscleFields:
     joint field is part of that of its first muscle), `muscle` (k,) the muscle that they are a side of,
     `displacement` (k, 3) in mm at activation 1. `acting` (n,) has the bits of the parameters that act on each
     vertex. `pairs` (j, 2) are the parameters of the joint fields, which are numbered after all parameters.
+    `yields` are the pairs of `YIELDS`.
     """
 
     start: UInt32Array
@@ -56,6 +75,7 @@ class MuscleFields:
     displacement: Array
     acting: UInt64Array
     pairs: UInt32Array
+    yields: Yields
 
     @classmethod
     def of(cls, head: Head) -> MuscleFields:
@@ -77,6 +97,7 @@ class MuscleFields:
             np.concatenate([field.displacement for field in fields])[order],
             bits,
             np.array([[INDEX[name] for name in pair] for pair in head.joint], np.uint32).reshape(-1, 2),
+            yields_of(YIELDS),
         )
 
     @property
@@ -87,7 +108,7 @@ class MuscleFields:
     def activations(self, values: Array) -> Array:
         """Return the activations (46 + j,) for `values` (46,): the values, and those of the joint fields."""
         out = np.empty((1, self.columns))
-        _activate(self.pairs, values[None], out)
+        _activate(self.pairs, *self.yields, values[None], out)
         return np.asarray(out[0])
 
     def at(self, vertices: IntArray) -> MuscleFields:
@@ -104,6 +125,7 @@ class MuscleFields:
             self.displacement[entries],
             self.acting[vertices],
             self.pairs,
+            self.yields,
         )
 
     def without(self, vertices: IndexArray) -> MuscleFields:
@@ -142,7 +164,7 @@ class DisplacedSkin:
         call overwrites it.
         """
         fields = self._fields
-        _activate(fields.pairs, values, self._rows)
+        _activate(fields.pairs, *fields.yields, values, self._rows)
         _displace(
             fields.start,
             fields.parameter,
@@ -198,6 +220,19 @@ def fields_of(head: Head) -> list[FieldRow]:
     return rows
 
 
+def yields_of(shares: Mapping[tuple[str, str], float]) -> Yields:
+    """Return what each muscle of each pair loses to the other; one without sides, half to either of them."""
+    rows = []
+    for pair, share in shares.items():
+        for own, other in (pair, pair[::-1]):
+            for muscle in parameters_named(own):
+                sides = ("left", "right", "") if not muscle.side else ("", muscle.side)
+                facing = [INDEX[o.name] for o in parameters_named(other) if o.side in sides]
+                rows += [(INDEX[muscle.name], o, share / len(facing)) for o in facing]
+    first, second, lost = zip(*rows, strict=True)
+    return Yields(np.array([first, second], np.uint32).T.copy(), np.array(lost))
+
+
 def _base(name: str) -> str:
     return name.partition(".")[0]
 
@@ -210,18 +245,22 @@ def joint_share(first: float, second: float) -> float:
 
 
 @kernel
-def _activate(pairs: UInt32Array, values: Array, out: Array) -> None:
+def _activate(pairs: UInt32Array, holding: UInt32Array, share: Array, values: Array, out: Array) -> None:
     """Write the activations of parameters and joint fields at each row of `values` (k, 46) to a row of `out`.
 
-    The last one counts for the rows that are left over.
+    The last one counts for the rows that are left over. `holding` and `share` are those of `Yields`.
     """
     last, count = values.shape[0] - 1, values.shape[1]
     for lane in range(len(out)):
         row = min(lane, last)
         for k in range(count):
             out[lane, k] = values[row, k]
+        for y in range(len(share)):
+            own, other = values[row, holding[y, 0]], values[row, holding[y, 1]]
+            if own > 0.0 and other > 0.0:
+                out[lane, holding[y, 0]] -= share[y] * own * own * other
         for j in range(len(pairs)):
-            out[lane, count + j] = joint_share(values[row, pairs[j, 0]], values[row, pairs[j, 1]])
+            out[lane, count + j] = joint_share(out[lane, pairs[j, 0]], out[lane, pairs[j, 1]])
 
 
 @lean_kernel
