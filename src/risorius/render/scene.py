@@ -12,12 +12,13 @@ from ..core.kernels.jit import f4
 from ..errors import InputError
 from ..face.frame import FaceFrame
 from ..looks.anatomy import smoothstep
-from ..looks.attributes import HAIR, OCCLUSION
+from ..looks.attributes import ALBEDO, HAIR, OCCLUSION
 from ..looks.eyeball import pupil_axes
 from ..looks.garment import cloth_offset, neckline
 from ..looks.head_model import FACIAL_HAIRS, HeadModel
 from ..looks.normals import Normals
 from ..looks.parts import Part, hair_attributes
+from ..looks.perfusion import Perfusion
 from ..looks.scalp import hair_shade
 from ..looks.srgb import linear
 from .aperture import lid_margins, lip_edges
@@ -48,11 +49,12 @@ class ShownHair(NamedTuple):
 class HeadScene:
     """The vertices and triangles of a head model.
 
-    These never change: `triangles` (m, 3), `surfaces` (m,), `two_sided` (m,), `attributes` (n, ATTRIBUTES)
-    and `rest` (n, 3). The first `solid` triangles are those of the solid parts and cast shadows; the first
-    `skin_vertices` vertices are the skin's. Hairs stand last: of `hairs` in all, the first `facial_hairs`
-    are brows and lashes, and `hair_segments` (m − solid,) is the segment of its hair that each triangle
-    belongs to. `pose` writes `positions` (n, 3) and `normals` (n, 3), float32 in the world.
+    These never change: `triangles` (m, 3), `surfaces` (m,), `two_sided` (m,), `rest` (n, 3) and, but for the
+    albedo of the skin, `attributes` (n, ATTRIBUTES). The first `solid` triangles are those of the solid parts
+    and cast shadows; the first `skin_vertices` vertices are the skin's. Hairs stand last: of `hairs` in all,
+    the first `facial_hairs` are brows and lashes, and `hair_segments` (m − solid,) is the segment of its hair
+    that each triangle belongs to. `pose` writes `positions` (n, 3) and `normals` (n, 3), float32 in the
+    world, and the skin's albedo.
     """
 
     def __init__(self, model: HeadModel, lamps: Float32Array, *, creased: bool = True) -> None:
@@ -66,6 +68,8 @@ class HeadScene:
         self._gather(parts)
         self.creases, self._creased = lay_creases(self.head, len(self.triangles)), creased
         self._bake(lamps)
+        albedo = self.attributes[: self.skin_vertices, ALBEDO : ALBEDO + 3]
+        self._perfusion = Perfusion(self.head, model.looks, albedo)
 
     def _gather(self, parts: list[Part]) -> None:
         """Join the parts, then the hairs, in common arrays."""
@@ -129,7 +133,8 @@ class HeadScene:
         """Return a scene that can be posed on its own; both share the arrays that never change."""
         other = copy(self)
         other._normals = self._normals.clone()
-        other._local = self._local.copy()
+        other._local, other.attributes = self._local.copy(), self.attributes.copy()
+        other._perfusion = self._perfusion.clone()
         other.positions, other.normals = self.positions.copy(), self.normals.copy()
         other.vertex_light, other.shadow = self.vertex_light.copy(), self.shadow.copy()
         other.cloth_light = self.cloth_light.copy()
@@ -204,6 +209,7 @@ class HeadScene:
         """Copy the vertices that move within the head: skin, lower teeth, tongue."""
         starts = self._starts
         np.add(frame.skin, self._offset, out=self._local[: starts[1]])
+        self._perfusion.colour(frame, self.attributes)
         if self._creased:
             raise_creases(self.creases, self.triangles[: self.solid], frame.wrinkles)
         self._local[starts[4] : starts[5]] = frame.teeth_lower

@@ -1,0 +1,178 @@
+"""Blood in the skin of a moving face: skin where it gathers reddens, skin that it is pressed out of pales.
+
+Skin is coloured by melanin, which stays, and by haemoglobin, which moves with an expression (Jimenez et al.
+2010, "A practical appearance model for dynamic facial color"). The blood of a patch of skin is taken as
+constant: if the patch shrinks to the share λ of its area, its haemoglobin rises to 1/λ. Where skin folds, the
+ridges are squeezed instead, and the furrows, which the shader draws, are dark. Lips that are pressed together
+lose blood. Colours change as light is absorbed: the albedo times exp(−absorption · change).
+"""
+
+from __future__ import annotations
+
+import math
+from copy import copy
+from typing import NamedTuple
+
+import numpy as np
+import scipy.sparse as sp
+
+from ..core.arrays import Array, Float32Array, UInt32Array, UIntArray
+from ..core.kernels.jit import f4, fast_kernel
+from ..core.kernels.vec import at, cross, dot, sub
+from ..core.parameters import INDEX
+from ..face.frame import FaceFrame
+from ..face.head import Head
+from ..face.identity import Looks
+from ..face.products import short
+from ..face.regions import place_regions
+from .anatomy import smoothstep
+from .attributes import ALBEDO
+
+# How much the usual haemoglobin absorbs in red, green and blue: twice of it darkens green by a quarter, about
+# as the flush of the cheeks does (`complexion`); lips have more of it under a thinner skin. Numbers are ours.
+_SKIN = f4(0.03), f4(0.29), f4(0.25)
+_LIPS = f4(0.10), f4(0.46), f4(0.36)
+_FOLDED = -0.8  # part of the gain that the ridges of folded skin get: they lose blood
+_FOLDING = ("forehead",)
+_LEAST, _MOST = f4(-0.12), f4(0.45)  # of the usual haemoglobin that skin gains, whatever its area
+_PRESSED = 0.7  # of the lips' blood that the greatest pressure drives out
+_YIELDING = 0.35  # activation of the presser at which two thirds of that is gone
+_PRESSER = INDEX["orbicularis_oris_presser"]
+_ROUNDS = 2  # of smoothing on the coarse skin
+_HIDDEN = ("inner_mouth", "lids", "garment")
+_NEGLIGIBLE = 0.004  # a quad with a smaller share of a vertex's area is left out
+
+
+class _Rows(NamedTuple):
+    """The rows of a sparse matrix, as of `products.SparseRows`, in single precision."""
+
+    start: UInt32Array
+    column: UIntArray
+    weight: Float32Array
+
+    @classmethod
+    def of(cls, matrix: sp.csr_matrix) -> _Rows:
+        return cls(matrix.indptr.astype(np.uint32), short(matrix.indices), matrix.data.astype(np.float32))
+
+
+class Perfusion:
+    """The colours of one head's skin as its blood moves; keeps a workspace."""
+
+    def __init__(self, head: Head, looks: Looks, albedo: Float32Array) -> None:
+        """Prepare for the skin's `albedo` (N1, 3) at rest; the looks' `flush` scales the change."""
+        shown = looks.flush * _shown(head)
+        lips = smoothstep(0.25, 0.75, np.asarray(head.skin.matrix @ head.masks["lips"]))
+        here = np.flatnonzero(shown > 0.0)
+        quads = head.quads.astype(np.uint32)
+        area = np.zeros(len(quads), np.float32)
+        _measure(np.asarray(head.skin.matrix @ head.rest, np.float32), quads, np.ones_like(area), area)
+        fine = head.skin.matrix.tocsr()[here]
+        near = np.unique(fine.indices)  # the coarse vertices that count
+        self._tables = _Rows.of(_smoothed(head, area)[near]), _Rows.of(fine[:, near])
+        self._quads, self._area, self._vertices = quads, area, here.astype(np.uint32)
+        self._folded = (1.0 + (_FOLDED - 1.0) * _folding(head))[here].astype(np.float32)
+        self._flesh, self._lips = ((shown * part)[here].astype(np.float32) for part in (1.0 - lips, lips))
+        self._albedo = np.ascontiguousarray(albedo[here])
+        self._share, self._gain = np.zeros(len(quads), np.float32), np.zeros(len(near), np.float32)
+
+    def clone(self) -> Perfusion:
+        """Return the same with a workspace of its own."""
+        other = copy(self)
+        other._share, other._gain = self._share.copy(), self._gain.copy()
+        return other
+
+    def colour(self, frame: FaceFrame, attributes: Float32Array) -> None:
+        """Write the albedo of the skin in a frame to its `attributes` (N1 or more, ATTRIBUTES)."""
+        pressure = max(float(frame.parameters[_PRESSER]), 0.0)
+        to_coarse, to_fine = self._tables
+        _measure(frame.skin, self._quads, self._area, self._share)
+        _average(*to_coarse, self._share, self._gain)
+        _paint(
+            *to_fine,
+            self._gain,
+            self._vertices,
+            self._folded,
+            self._flesh,
+            self._lips,
+            f4(_PRESSED * math.expm1(-pressure / _YIELDING)),
+            self._albedo,
+            attributes,
+        )
+
+
+def _shown(head: Head) -> Array:
+    """Return how much of the change (N1,) is seen: none within the mouth, on lids and below the cloth."""
+    hidden = np.max([head.masks[name] for name in _HIDDEN], axis=0)
+    shown = 1.0 - smoothstep(0.0, 0.6, np.asarray(head.skin.matrix @ hidden))
+    return np.where(shown < _NEGLIGIBLE, 0.0, shown)
+
+
+def _folding(head: Head) -> Array:
+    """Return where the skin folds (N1,), 0 to 1."""
+    masks = [placed.zone.mask for placed in place_regions(head) if placed.region.name in _FOLDING]
+    return np.asarray(np.max(masks, axis=0))
+
+
+def _smoothed(head: Head, area: Float32Array) -> sp.csr_matrix:
+    """Return the matrix (N0, Q0) from values of quads to smooth values of vertices, weighted by area."""
+    quads, count = head.quads, len(head.rest)
+    owner = np.repeat(np.arange(len(quads)), 4)
+    around = sp.csr_matrix((np.ones(len(owner)), (quads.ravel(), owner)), shape=(count, len(quads)))
+    beside = sp.csr_matrix(around @ around.T > 0, dtype=np.float64)
+    total = around
+    for _ in range(_ROUNDS):
+        total = beside @ total
+    total = sp.csr_matrix(total @ sp.diags(area.astype(np.float64)))
+    total = sp.diags(1.0 / np.asarray(total.sum(axis=1)).ravel()) @ total
+    total.data[total.data < _NEGLIGIBLE] = 0.0
+    total.eliminate_zeros()
+    return (sp.diags(1.0 / np.asarray(total.sum(axis=1)).ravel()) @ total).tocsr()
+
+
+@fast_kernel
+def _measure(skin: Float32Array, quads: UInt32Array, area: Float32Array, out: Float32Array) -> None:
+    """Write the share of its `area` (Q0,) that each quad has; the coarse vertices are the first of `skin`."""
+    for q in range(len(quads)):
+        first = sub(at(skin, quads[q, 2]), at(skin, quads[q, 0]))
+        second = sub(at(skin, quads[q, 3]), at(skin, quads[q, 1]))
+        normal = cross(first, second)
+        out[q] = np.sqrt(dot(normal, normal)) / area[q]
+
+
+@fast_kernel
+def _average(
+    start: UInt32Array, column: UIntArray, weight: Float32Array, share: Float32Array, out: Float32Array
+) -> None:
+    """Write how much haemoglobin each coarse vertex gains, of the usual."""
+    for i in range(len(out)):
+        mean = f4(0)
+        for e in range(start[i], start[i + 1]):
+            mean += weight[e] * share[column[e]]
+        out[i] = min(max(f4(1) / max(mean, f4(0.1)) - f4(1), _LEAST), _MOST)
+
+
+@fast_kernel
+def _paint(
+    start: UInt32Array,
+    column: UIntArray,
+    weight: Float32Array,
+    gain: Float32Array,
+    vertices: UInt32Array,
+    folded: Float32Array,
+    flesh: Float32Array,
+    lips: Float32Array,
+    pressed: float,
+    albedo: Float32Array,
+    attributes: Float32Array,
+) -> None:
+    for k in range(len(vertices)):
+        more = f4(0)
+        for e in range(start[k], start[k + 1]):
+            more += weight[e] * gain[column[e]]
+        if more > f4(0):
+            more *= folded[k]
+        of_skin, of_lips = flesh[k] * more, lips[k] * pressed
+        for c in range(3):
+            half = f4(0.5) * (_SKIN[c] * of_skin + _LIPS[c] * of_lips)
+            # Nearly exp(−2 half), for a fraction of its cost.
+            attributes[vertices[k], ALBEDO + c] = albedo[k, c] * (f4(1) - half) / (f4(1) + half)
