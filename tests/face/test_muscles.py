@@ -115,7 +115,14 @@ def test_any_two_muscles_overshoot_the_larger_by_little(displaced):
         assert over.max() <= EXCESS + 1e-9, (a, b)
 
 
-@pytest.mark.parametrize(("first", "second"), [("risorius", "triangularis"), (PRESSER, "mentalis")])
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        ("risorius", "triangularis"),
+        (PRESSER, "mentalis"),
+        ("orbicularis_oculi_orbitalis", "orbicularis_oculi_palpebralis"),
+    ],
+)
 def test_what_two_muscles_move_together_needs_both_in_part(displaced, head, first, second):
     joint = np.zeros_like(head.rest)
     for pair, field in head.joint.items():

@@ -28,6 +28,7 @@ from .terms import Terms
 from .tongue import tongue, tongue_fields
 from .tuck import tuck
 
+JOINT_STEP = 0.005  # mm: joint fields need not be finer, and coarser values take less room
 HEAD_PIVOT = np.array([0.0, -45.0, -74.0])  # between the ears' lobes: about where the skull sits on the neck
 
 
@@ -102,7 +103,7 @@ def build(shape: Shape, recipes: Path) -> dict[str, AnyArray]:
         **_skin(shape),
         **_jaw(shape.jaw),
         **packed({f"field/{name}": field for name, field in fields.items()}),
-        **packed({f"{JOINT}{name}": field for name, field in joint.items()}),
+        **packed({f"{JOINT}{name}": field for name, field in joint.items()}, JOINT_STEP),
         **_teeth(template.bite.line, bite),
         **_tongue(template.bust, bite),
         **_landmarks(shape),
@@ -157,10 +158,12 @@ def _landmarks(shape: Shape) -> dict[str, AnyArray]:
     return {"landmark_triangles": _index(triangles), "landmark_weights": short(weights)}
 
 
-def packed(fields: dict[str, AnyArray]) -> dict[str, AnyArray]:
-    """The arrays in which fields (n, 3) mm are kept, by name."""
+def packed(fields: dict[str, AnyArray], step: float | None = None) -> dict[str, AnyArray]:
+    """The arrays in which fields (n, 3) mm are kept, by name; `step` as for `quantized`."""
     return {
-        f"{name}/{key}": value for name, field in fields.items() for key, value in quantized(field).items()
+        f"{name}/{key}": value
+        for name, field in fields.items()
+        for key, value in quantized(field, step=step).items()
     }
 
 

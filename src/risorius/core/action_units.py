@@ -39,7 +39,7 @@ _UNITS = (
     _unit(4, "brow lowerer", depressor_supercilii=0.9, corrugator_supercilii=1.0, depressor_glabellae=0.9),
     _unit(5, "upper lid raiser", levator_palpebrae=1.0),
     _unit(6, "cheek raiser", orbicularis_oculi_orbitalis=1.0),
-    _unit(7, "lid tightener", orbicularis_oculi_palpebralis=0.19, orbicularis_oculi_orbitalis=0.4),
+    _unit(7, "lid tightener", orbicularis_oculi_palpebralis=0.16, orbicularis_oculi_orbitalis=0.3),
     _unit(9, "nose wrinkler", levator_labii_nasi=1.0),
     _unit(10, "upper lip raiser", levator_labii_superioris=1.0),
     _unit(11, "nasolabial deepener", zygomatic_minor=1.0),
