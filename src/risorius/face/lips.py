@@ -26,10 +26,7 @@ LEFT = 1.0  # mm that may stay open where a seal just reaches: facets keep the l
 PRESS = 0.05  # mm by which a seal presses the lips together, because facets would keep them apart
 SLACK = 0.005  # mm outside its bounds that a gap may have
 PASSES = 3
-PLACES, WIDTH = (
-    61,
-    0.05,
-)  # places at which a seal closes the lips, and the width of each as a share of the mouth
+PLACES, WIDTH = 61, 0.047  # places at which a seal closes the lips; the share of the mouth about each
 SWEEPS = 300  # the most; most faces need only a few
 TUCK_WIDTH = 11.0  # mm to either side of the midline over which the lip meets the teeth
 TUCK_ABOVE, TUCK_BEFORE = 0.7, 2.2  # mm of the tucked lip above and before the teeth's edge
