@@ -4,17 +4,12 @@ Every muscle has a calibrated field of displacement (facts: face-model, section 
 linear network of springs is the sum of such fields. Flesh is not linear, so near-parallel pulls on one vertex
 are limited here (facts: face-model, section 3): two muscles with the same effect do not have it twice.
 
-Two muscles can also move together what neither moves alone: where the muscles that draw the corner of the
-mouth back and down hold each other, it goes in. Such a joint field acts by the share p / (p + HALF²) (1 − p²)
-of the product p of both activations: it needs both, is half where each is HALF, and ends where both contract
-fully: there their own fields are the whole.
-
-Muscles that push one lip from two sides hold each other (`YIELDS`): each contracts less, the more both do.
+Two muscles can also move together what neither moves alone, by joint fields, and muscles that push one lip
+from two sides contract less than they are activated (`activations`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -22,9 +17,10 @@ import numpy as np
 
 from ..core.arrays import Array, ByteArray, IndexArray, IntArray, UInt32Array, UInt64Array
 from ..core.kernels.four import Four, any_above, four, larger, root, row, set_row, where_above
-from ..core.kernels.jit import inlined, kernel, lean_device, lean_kernel
-from ..core.parameters import INDEX, PARAMETERS, parameters_named
+from ..core.kernels.jit import inlined, lean_device, lean_kernel
+from ..core.parameters import INDEX, PARAMETERS
 from ..errors import HeadError
+from .activations import YIELDS, Yields, activate, yields_of
 from .head import Field, Head
 from .roots import inverse_cube_roots
 
@@ -40,21 +36,6 @@ SHEETS = {
     "orbicularis_oculi_orbitalis": "zygomatic_major",
 }
 
-# Muscles that push the same lip, and the share of its activation that each loses where both contract fully.
-# The shares of one muscle add up to at most a half, so that more activation never moves the skin less.
-YIELDS = {
-    ("orbicularis_oris_presser", "mentalis"): 0.4,
-    ("orbicularis_oris_presser", "levator_labii_superioris"): 0.1,
-    ("zygomatic_major", "mentalis"): 0.1,
-}
-
-
-class Yields(NamedTuple):
-    """Muscles that hold each other: parameters `holding` (y, 2), and the `share` (y,) the first loses."""
-
-    holding: UInt32Array
-    share: Array
-
 
 @dataclass(frozen=True, slots=True)
 class MuscleFields:
@@ -65,7 +46,7 @@ class MuscleFields:
     joint field is part of that of its first muscle), `muscle` (k,) the muscle that they are a side of,
     `displacement` (k, 3) in mm at activation 1. `acting` (n,) has the bits of the parameters that act on each
     vertex. `pairs` (j, 2) are the parameters of the joint fields, which are numbered after all parameters.
-    `yields` are the pairs of `YIELDS`.
+    `yields` are those of `activations.YIELDS`.
     """
 
     start: UInt32Array
@@ -108,7 +89,7 @@ class MuscleFields:
     def activations(self, values: Array) -> Array:
         """Return the activations (46 + j,) for `values` (46,): the values, and those of the joint fields."""
         out = np.empty((1, self.columns))
-        _activate(self.pairs, *self.yields, values[None], out)
+        activate(self.pairs, *self.yields, values[None], out)
         return np.asarray(out[0])
 
     def at(self, vertices: IntArray) -> MuscleFields:
@@ -164,7 +145,7 @@ class DisplacedSkin:
         call overwrites it.
         """
         fields = self._fields
-        _activate(fields.pairs, *fields.yields, values, self._rows)
+        activate(fields.pairs, *fields.yields, values, self._rows)
         _displace(
             fields.start,
             fields.parameter,
@@ -186,7 +167,6 @@ MOST = 32  # no vertex has more entries
 EXCESS, FREE_EXCESS = 1.45, 1.15
 _PULL = 5  # rows of a pull: its three components, its length, and scratch
 NOTHING = 1e-9  # mm: a smaller pull counts as none, because its cube would underflow
-HALF = 0.2  # activation of both muscles at which a joint field is half
 _MOST_COLUMNS = 64  # bits of `acting`
 
 
@@ -220,47 +200,8 @@ def fields_of(head: Head) -> list[FieldRow]:
     return rows
 
 
-def yields_of(shares: Mapping[tuple[str, str], float]) -> Yields:
-    """Return what each muscle of each pair loses to the other; one without sides, half to either of them."""
-    rows = []
-    for pair, share in shares.items():
-        for own, other in (pair, pair[::-1]):
-            for muscle in parameters_named(own):
-                sides = ("left", "right", "") if not muscle.side else ("", muscle.side)
-                facing = [INDEX[o.name] for o in parameters_named(other) if o.side in sides]
-                rows += [(INDEX[muscle.name], o, share / len(facing)) for o in facing]
-    first, second, lost = zip(*rows, strict=True)
-    return Yields(np.array([first, second], np.uint32).T.copy(), np.array(lost))
-
-
 def _base(name: str) -> str:
     return name.partition(".")[0]
-
-
-@inlined
-def joint_share(first: float, second: float) -> float:
-    """Return the activation of a joint field for those of its two muscles."""
-    both = max(first, 0.0) * max(second, 0.0)
-    return both / (both + HALF * HALF) * (1.0 - both * both)
-
-
-@kernel
-def _activate(pairs: UInt32Array, holding: UInt32Array, share: Array, values: Array, out: Array) -> None:
-    """Write the activations of parameters and joint fields at each row of `values` (k, 46) to a row of `out`.
-
-    The last one counts for the rows that are left over. `holding` and `share` are those of `Yields`.
-    """
-    last, count = values.shape[0] - 1, values.shape[1]
-    for lane in range(len(out)):
-        row = min(lane, last)
-        for k in range(count):
-            out[lane, k] = values[row, k]
-        for y in range(len(share)):
-            own, other = values[row, holding[y, 0]], values[row, holding[y, 1]]
-            if own > 0.0 and other > 0.0:
-                out[lane, holding[y, 0]] -= share[y] * own * own * other
-        for j in range(len(pairs)):
-            out[lane, count + j] = joint_share(out[lane, pairs[j, 0]], out[lane, pairs[j, 1]])
 
 
 @lean_kernel
