@@ -23,8 +23,8 @@ SEAL, TUCK = "lip_seal", "lip_tuck"
 CONTACTS = (SEAL, TUCK)
 SOFT = 0.2
 """The share of a ramp in which a contact reaches its speed."""
-SOFTENED = 0.02
-"""The root of a tuck above which `beside_tuck` is nearly 1 − √tuck."""
+GIVES_WAY = 4
+"""The power of a tuck by which the seal gives way to it: once the tuck begins to go, hardly any more."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,9 +102,10 @@ def _fit(tuck: Goal, wanted: tuple[float, float], seals: list[Goal]) -> Goal | N
     free_from = seals[left].end if left >= 0 else -np.inf
     free_to = seals[right].start if right < len(seals) else np.inf
     room = free_to - free_from
-    if room < 2.0 * table.least_room:
+    least = table.gap / tradeoffs().opening.fastest
+    if room < 2.0 * least:
         return None
-    middle = min(max(_middle(tuck), free_from + table.least_room), free_to - table.least_room)
+    middle = min(max(_middle(tuck), free_from + least), free_to - least)
     start = min(max(wanted[0], free_from + table.ramp), middle)
     end = max(min(wanted[1], free_to - table.ramp), middle)
     if left >= 0:
@@ -148,10 +149,9 @@ class GoalCurve:
 
 
 def beside_tuck(tuck: Array) -> Array:
-    """Return how much of a seal a tuck, 0..1, leaves, shape (n,): 1 − √tuck, but with a finite slope at 0.
+    """Return how much of a seal a tuck, 0..1, leaves, shape (n,): 1 − tuck⁴.
 
-    When the lower lip leaves the teeth, the gap at first stays as wide. The seal must come before the tuck
-    has gone, or the gap would not fall evenly.
+    When the lower lip leaves the teeth, the gap at first stays as wide. The seal must come at its own pace
+    before the tuck has gone, or the gap would shut at one stroke with the last of it.
     """
-    least, most = SOFTENED, float(np.sqrt(1.0 + SOFTENED**2))
-    return np.asarray(1.0 - (np.sqrt(tuck + SOFTENED**2) - least) / (most - least))
+    return np.asarray(1.0 - tuck**GIVES_WAY)

@@ -46,15 +46,13 @@ class TuckTradeoff:
     """How the contact of the lower lip with the teeth makes room for closures and rounded phones.
 
     `gap`: the lips' gap during the contact, mm; `ramp`: how long the lip takes to reach or leave the teeth,
-    seconds; `waits`: the share of the contact that a rounded phone may take on each side; `least_room`: a
-    contact with less time on either side is left out, seconds.
+    seconds; `waits`: the share of the contact that a rounded phone may take on each side.
     """
 
     source: str
     gap: GapMillimetres
     ramp: ContactSeconds
     waits: Annotated[float, Range(0.0, 0.5)]
-    least_room: ContactSeconds
 
 
 @dataclass(frozen=True, slots=True)
