@@ -59,7 +59,7 @@ class Approach:
         gentle = self._table.opening.gentle
         met = [replace(g, start=g.start - EARLY, end=g.end + EARLY) for g in seals]
         self._seals = _Distance(met, 0.0)
-        self._shut = GoalCurve([_shutting(g) for g in seals])
+        self._shut = GoalCurve([_shutting(g) for g in seals], soft=0.5)
         self._tucks = _Distance(tucks if self._table.before("opening", "tuck") else (), gentle)
         self._partial = GoalCurve([g for g in goals if g.contact == SEAL and g.value < 1.0])
         self._tuck = GoalCurve(tucks if self._table.before("rounding", "tuck") else ())

@@ -125,11 +125,12 @@ class GoalCurve:
     """The goals of one contact, evaluated at any times.
 
     Together goals g close 1 − Π(1 − g). So two closures nearer than their ramps leave a smooth, partial
-    opening between them; two that are nearer still leave none, and the vowel between them is lost.
+    opening between them; two that are nearer still leave none, and the vowel between them is lost. `soft`: the
+    share of a ramp in which it reaches its speed.
     """
 
-    def __init__(self, goals: Sequence[Goal]) -> None:
-        self.goals = tuple(goals)
+    def __init__(self, goals: Sequence[Goal], soft: float = SOFT) -> None:
+        self.goals, self._soft = tuple(goals), soft
         rows = [(g.start, g.end, g.value, g.ramp_in, g.ramp_out) for g in goals]
         table = np.array(rows, dtype=np.float64).reshape(-1, 5).T
         self._start, self._end, self._value, self._ramp_in, self._ramp_out = table
@@ -142,7 +143,7 @@ class GoalCurve:
         t = times[index]
         early = np.maximum(self._start[goal] - t, 0.0) / self._ramp_in[goal]
         late = np.maximum(t - self._end[goal], 0.0) / self._ramp_out[goal]
-        values = self._value[goal] * ramp(1.0 - np.minimum(np.maximum(early, late), 1.0), SOFT)
+        values = self._value[goal] * ramp(1.0 - np.minimum(np.maximum(early, late), 1.0), self._soft)
         left = np.ones(len(times))
         np.multiply.at(left, index, 1.0 - values)
         return np.asarray(1.0 - left)
