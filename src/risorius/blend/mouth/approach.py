@@ -85,10 +85,11 @@ class Approach:
             if name not in averages:
                 averages[name] = self._reached(name, average(name), times)
                 if name == JAW:
-                    missing = positive_part(average(APERTURE), ROUNDED) - positive_part(
-                        average_of(APERTURE), ROUNDED
+                    asked, left = (
+                        positive_part(gap, self._table.opening.rounded)
+                        for gap in (average(APERTURE), average_of(APERTURE))
                     )
-                    averages[name] = averages[name] - CHIN * missing
+                    averages[name] = averages[name] - CHIN * (asked - left)
             return averages[name]
 
         return average_of
