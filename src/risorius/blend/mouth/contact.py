@@ -125,8 +125,8 @@ class GoalCurve:
     """The goals of one contact, evaluated at any times.
 
     Together goals g close 1 − Π(1 − g). So two closures nearer than their ramps leave a smooth, partial
-    opening between them; two that are nearer still leave none, and the vowel between them is lost. `soft`: the
-    share of a ramp in which it reaches its speed.
+    opening between them; two that are nearer still leave none, and the vowel between them is lost. `soft`:
+    the share of a ramp in which it reaches its speed.
     """
 
     def __init__(self, goals: Sequence[Goal], soft: float = SOFT) -> None:
