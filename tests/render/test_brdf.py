@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from risorius.render.brdf import gloss, schlick
+from risorius.render.brdf import gloss, mirrored, mirrored_change, schlick
 
 UP = (np.float32(0), np.float32(0), np.float32(1))
 
@@ -42,3 +42,19 @@ def test_gloss_is_brightest_where_the_mirror_image_is():
         gloss(UP, towards(-30), towards(a), np.float32(0.1), np.float32(0.03)) for a in range(0, 61, 5)
     ]
     assert int(np.argmax(strength)) == 6
+
+
+@pytest.mark.parametrize("alpha", [0.14, 0.3])
+@pytest.mark.parametrize(("view", "light"), [(0, 20), (-30, 25), (20, 62)])
+def test_the_change_of_the_gloss_is_its_derivative(alpha, view, light):
+    half = np.add(towards(view), towards(light))
+    terms = np.array([np.dot(UP, towards(light)), np.dot(UP, half)], np.float64)
+    rest = float(half @ half), alpha, 0.028
+    for which, found in enumerate(mirrored_change(*terms, *rest)):
+        step = np.eye(2)[which] * 1e-5
+        expected = (mirrored(*(terms + step), *rest) - mirrored(*(terms - step), *rest)) / 2e-5
+        assert found == pytest.approx(expected, rel=1e-3)
+
+
+def test_the_gloss_of_a_lamp_below_the_horizon_does_not_change():
+    assert mirrored_change(-0.1, 0.5, 1.0, 0.2, 0.03) == (0, 0)

@@ -9,6 +9,7 @@ from risorius.render.subsurface import (
     curvature_place,
     diffuse_table,
     scattered,
+    steepness,
 )
 
 
@@ -53,3 +54,12 @@ def test_looking_up_is_linear_and_clips(table):
 
 def test_no_entry_is_so_small_that_it_slows_the_processor(table):
     assert not ((table > 0) & (table < np.finfo(np.float32).tiny)).any()
+
+
+@pytest.mark.parametrize("curvature", [0.0, 0.03, 0.11])
+def test_steepness_is_what_a_cosine_adds(table, curvature):
+    column, step = curvature_place(np.float32(curvature)), 0.25
+    for row in (30.5, 60.5, 80.5):  # within a row of the table, where its light is linear
+        low, high = (scattered(table, row + side * step, column)[1] for side in (-1, 1))
+        cosines = 2 * step * 2 / (ANGLES - 1)
+        assert steepness(table, np.float32(row), column) == pytest.approx((high - low) / cosines, abs=2e-3)

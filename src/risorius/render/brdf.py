@@ -36,6 +36,19 @@ def mirrored(facing_light: float, facing_half: float, apart: float, alpha: float
 
 
 @fast_device
+def mirrored_change(
+    facing_light: float, facing_half: float, apart: float, alpha: float, head_on: float
+) -> tuple[float, float]:
+    """Return how `mirrored` changes with `facing_light` and with `facing_half`."""
+    if facing_light <= f4(0):
+        return f4(0), f4(0)
+    a2, apart, facing_half = alpha * alpha, max(apart, f4(0.04)), max(facing_half, f4(0))
+    d = facing_half * facing_half * (a2 - f4(1)) + apart
+    with_light = a2 * apart * schlick(f4(0.5) * math.sqrt(apart), head_on) / (_PI * d * d)
+    return with_light, f4(4) * facing_light * with_light * facing_half * (f4(1) - a2) / d
+
+
+@fast_device
 def gloss(normal: Vec, view: Vec, light: Vec, alpha: float, facing: float) -> float:
     """Return the mirrored light times the cosine at the surface: GGX with Kelemen's visibility term."""
     half = add(view, light)

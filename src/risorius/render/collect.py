@@ -25,15 +25,23 @@ def collect(y: int, screen: Screen, mesh: PosedMesh, batch: Batch) -> int:
 
 @fast_inlined
 def _collect(y: int, side: int, screen: Screen, mesh: PosedMesh, batch: Batch) -> int:
-    n, middle = 0, f4(0.5) * f4(side)
+    n = 0
     for x in range(screen.background.shape[1]):
-        t, uniform, waiting = _survey(x, y, side, screen)
-        if uniform:
-            if t >= 0:
-                u, v = f4(x * side) + middle, f4(y * side) + middle
-                put_patch(n, x, side * side, u, v, t, mesh, batch)
-                n += 1
-            continue
+        n = collect_pixel(n, x, y, side, screen, mesh, batch)
+    return n
+
+
+@fast_inlined
+def collect_pixel(n: int, x: int, y: int, side: int, screen: Screen, mesh: PosedMesh, batch: Batch) -> int:
+    """Write the patches of a pixel, from patch n on; return the number of the next patch."""
+    middle = f4(0.5) * f4(side)
+    t, uniform, waiting = _survey(x, y, side, screen)
+    if uniform:
+        if t >= 0:
+            u, v = f4(x * side) + middle, f4(y * side) + middle
+            put_patch(n, x, side * side, u, v, t, mesh, batch)
+            n += 1
+    else:
         while waiting:
             waiting &= ~_gather(n, x, y, side, waiting, screen, mesh, batch)
             n += 1

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..core.arrays import ByteArray, Float32Array, Int32Array, Int64Array
 from .lanes import LANES, empty_block
+from .linear_block import COLUMNS
 
 
 class PosedMesh(NamedTuple):
@@ -157,6 +158,32 @@ class Facets(NamedTuple):
 
     kind: ByteArray
     plane: Float32Array
+
+
+class LinearTriangles(NamedTuple):
+    """The triangles of a picture within which the display light is linear.
+
+    `row` (m + 1,) is the row in `planes` of triangle t at t + 1, 0 if its light is not linear; the background
+    stands first. `planes` (k, COLUMNS) float32 is what `linear_block.mean_at` reads: of the columns of a
+    group, 0 to 2 are the display light, 3 to 5 the skin's place at rest, 6 the share that is covered, and 7
+    the share of skin; the last group has the shares by which a height and a slope of the pores change the
+    light. `display` (n, 3) is the display light of vertices, `pores` (N1, 4) are these shares; `others`
+    (width,) are the pixels of a row that show other triangles.
+    """
+
+    row: Int32Array
+    planes: Float32Array
+    display: Float32Array
+    pores: Float32Array
+    others: Int32Array
+
+
+def empty_linear(triangles: int, vertices: int, skin: int, width: int) -> LinearTriangles:
+    """Return arrays for triangles and vertices, of which the skin has the first, in pictures of a width."""
+    planes = np.zeros((triangles + 2, COLUMNS), np.float32)
+    display, pores = np.zeros((vertices, 3), np.float32), np.zeros((skin, 4), np.float32)
+    row, others = np.zeros(triangles + 1, np.int32), np.zeros(width, np.int32)
+    return LinearTriangles(row, planes, display, pores, others)
 
 
 def empty_facets(count: int) -> Facets:

@@ -13,6 +13,7 @@ import numpy as np
 from ..core.arrays import Float32Array
 from ..core.kernels.jit import fast_device
 from ..core.kernels.vec import Vec, sub, unit
+from .grain import Heights
 
 LANES = 64
 LAMPS = 4
@@ -44,6 +45,21 @@ def get(block: Float32Array, first: int, k: int) -> Vec:
 def put(block: Float32Array, first: int, k: int, vector: Vec) -> None:
     """Set the vector of patch k."""
     block[first + k], block[first + LANES + k], block[first + 2 * LANES + k] = vector
+
+
+@fast_device
+def heights_in(block: Float32Array, k: int) -> Heights:
+    """Return the eight heights of the grain about patch k."""
+    return (
+        block[GRAIN + k],
+        block[GRAIN + LANES + k],
+        block[GRAIN + 2 * LANES + k],
+        block[GRAIN + 3 * LANES + k],
+        block[GRAIN + 4 * LANES + k],
+        block[GRAIN + 5 * LANES + k],
+        block[GRAIN + 6 * LANES + k],
+        block[GRAIN + 7 * LANES + k],
+    )
 
 
 @fast_device

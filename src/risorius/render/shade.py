@@ -6,11 +6,12 @@ shades its own.
 
 from __future__ import annotations
 
-from ..core.arrays import ByteArray
-from ..core.kernels.jit import f4, fast_device, fast_kernel, index
+from ..core.arrays import ByteArray, Int32Array
+from ..core.kernels.jit import f4, fast_device, fast_inlined, fast_kernel, index
 from .collect import collect
 from .draft import find_facets, shade_row, write_patches
-from .inputs import Batch, Facets, Pose, PosedMesh, SceneLight, Screen, Tables
+from .inputs import Batch, Facets, LinearTriangles, Pose, PosedMesh, SceneLight, Screen, Tables
+from .linear import draw_row, find_linear
 from .materials.cloth import shade_cloth
 from .materials.eye import shade_eyes
 from .materials.hair import shade_hairs
@@ -34,12 +35,29 @@ def shade(
     for y in range(out.shape[0]):
         uncover(y, screen, mesh)
         n = collect(y, screen, mesh, batch)
-        shade_skin(n, batch, mesh, screen, light, pose, tables)
-        shade_cloth(n, batch, mesh, screen, light, tables)
-        shade_hairs(n, batch, mesh)
-        shade_eyes(n, batch, mesh, screen, light, pose, tables)
-        shade_mouth(n, batch, mesh, screen, light, pose)
+        _shade_patches(n, batch, mesh, screen, light, pose, tables)
         resolve(y, n, screen, batch, tables, out)
+
+
+@fast_kernel
+def shade_linear(
+    screen: Screen,
+    mesh: PosedMesh,
+    light: SceneLight,
+    pose: Pose,
+    tables: Tables,
+    hair_pairs: Int32Array,
+    batch: Batch,
+    linear: LinearTriangles,
+    out: ByteArray,
+) -> None:
+    """Write the picture (height, width, 3) of four samples a pixel, fast where triangles are linear."""
+    find_linear(linear, batch, mesh, screen, light, pose, tables, hair_pairs)
+    for y in range(out.shape[0]):
+        uncover(y, screen, mesh)
+        n = draw_row(y, screen, mesh, linear, batch, tables, out)
+        _shade_patches(n, batch, mesh, screen, light, pose, tables)
+        resolve_patches(y, n, screen, batch, tables, out)
 
 
 @fast_kernel
@@ -84,6 +102,24 @@ def uncover(y: int, screen: Screen, mesh: PosedMesh) -> None:
         )
 
 
+@fast_inlined
+def _shade_patches(
+    n: int,
+    batch: Batch,
+    mesh: PosedMesh,
+    screen: Screen,
+    light: SceneLight,
+    pose: Pose,
+    tables: Tables,
+) -> None:
+    """Colour the first n patches of a row."""
+    shade_skin(n, batch, mesh, screen, light, pose, tables)
+    shade_cloth(n, batch, mesh, screen, light, tables)
+    shade_hairs(n, batch, mesh)
+    shade_eyes(n, batch, mesh, screen, light, pose, tables)
+    shade_mouth(n, batch, mesh, screen, light, pose)
+
+
 @fast_device
 def resolve(y: int, n: int, screen: Screen, batch: Batch, tables: Tables, out: ByteArray) -> None:
     """Write row y: each pixel is the mean of its patches and the background, weighted by samples."""
@@ -93,6 +129,12 @@ def resolve(y: int, n: int, screen: Screen, batch: Batch, tables: Tables, out: B
             screen.empty[y, x, 1],
             screen.empty[y, x, 2],
         )
+    resolve_patches(y, n, screen, batch, tables, out)
+
+
+@fast_device
+def resolve_patches(y: int, n: int, screen: Screen, batch: Batch, tables: Tables, out: ByteArray) -> None:
+    """Write the pixels of row y that have patches."""
     whole, k = screen.samples * screen.samples, 0
     share = f4(1) / f4(whole)
     while k < n:

@@ -23,12 +23,23 @@ from .diagram import shade_diagram
 from .diagram_paint import DiagramPaint
 from .framing import frame_head
 from .hair_views import HairViews
-from .inputs import Paint, Pose, PosedMesh, SceneLight, Screen, Tables, empty_batch, empty_facets
+from .inputs import (
+    Paint,
+    Pose,
+    PosedMesh,
+    SceneLight,
+    Screen,
+    Tables,
+    empty_batch,
+    empty_facets,
+    empty_linear,
+)
 from .lights import STUDIO, LightRig
+from .linear import SIDE
 from .materials.hair import light_hairs
 from .materials.shadows import cast_shadows
 from .scene import HeadScene
-from .shade import shade, shade_draft
+from .shade import shade, shade_draft, shade_linear
 from .shadow import DRAFT_SIZE, SIZE, ShadowMap
 from .subsurface import diffuse_table
 from .tone import film_table, to_bytes, tone_table
@@ -75,6 +86,7 @@ class SoftwareRenderer:
         self._lights = lights.lighting()
         self._samples = QUALITIES[quality]
         self._draft = quality == "draft" and style == "realistic"
+        self._is_linear = self._samples == SIDE and style == "realistic"
         if self._draft:
             model = thin_hair(model, _DRAFT_HAIRS)
         self.scene = HeadScene(model, self._lights.lamps, creased=not self._draft)
@@ -108,8 +120,12 @@ class SoftwareRenderer:
         self._buffer = Visibility(width * samples, height * samples, len(scene.triangles))
         self._xy: Int32Array = np.zeros((len(scene.positions), 2), np.int32)
         self._key: Float32Array = np.zeros(len(scene.positions), np.float32)
-        self._batch = empty_batch(max(width * samples * samples, scene.skin_vertices if self._draft else 0))
+        self._batch = empty_batch(
+            max(width * samples * samples, 0 if samples > SIDE else scene.skin_vertices)
+        )
         self._facets = empty_facets(len(scene.triangles) if self._draft else 0)
+        count = len(scene.triangles) if self._is_linear else 0
+        self._linear = empty_linear(count, len(scene.positions), scene.skin_vertices, width)
         centre, radius = scene.anatomy.sphere()
         direction, texels = self._lights.lamps[0, :3], DRAFT_SIZE if self._draft else SIZE
         if samples <= _COARSE_SHADOW:
@@ -133,7 +149,8 @@ class SoftwareRenderer:
     @property
     def buffer_bytes(self) -> int:
         """The memory that a clone takes, about."""
-        return self._buffer.ids.nbytes + self._buffer.depth.nbytes + 80 * len(self.scene.positions)
+        buffers = self._buffer.ids, self._buffer.depth, self._linear.planes
+        return sum(array.nbytes for array in buffers) + 80 * len(self.scene.positions)
 
     @property
     def shape(self) -> tuple[int, int, int]:
@@ -227,6 +244,11 @@ class SoftwareRenderer:
         if self._diagram_paint is None:
             if self._draft:
                 shade_draft(screen, mesh, light, pose, self._tables, self._batch, self._facets, out)
+            elif self._is_linear:
+                out[:] = self._empty
+                shade_linear(
+                    screen, mesh, light, pose, self._tables, hair_pairs, self._batch, self._linear, out
+                )
             else:
                 shade(screen, mesh, light, pose, self._tables, self._batch, out)
         else:

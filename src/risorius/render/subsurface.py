@@ -79,3 +79,13 @@ def scattered(table: Float32Array, x: float, y: float) -> Vec:
         a * table[i, j, 1] + b * table[i, right, 1] + c * table[below, j, 1] + d * table[below, right, 1],
         a * table[i, j, 2] + b * table[i, right, 2] + c * table[below, j, 2] + d * table[below, right, 2],
     )
+
+
+@fast_device
+def steepness(table: Float32Array, x: float, y: float) -> float:
+    """Return how the table's green changes with the cosine at `angle_place` and `curvature_place`."""
+    i, j = index(x), index(y)
+    below, right, v = i + _ONE, j + _ONE, y - f4(j)
+    here, there = table[below, j, 1] - table[i, j, 1], table[below, right, 1] - table[i, right, 1]
+    steep: float = (here + (there - here) * v) * f4(0.5 * (ANGLES - 1))
+    return steep

@@ -62,5 +62,11 @@ def developed(table: ByteArray, light: float) -> int:
 @fast_device
 def to_byte(table: ByteArray, light: float) -> int:
     """Look up the byte for one channel of display light 0..1."""
-    byte: int = table[index(math.sqrt(bounded(light, f4(1))) * f4(TONES - 1) + f4(0.5))]
+    byte: int = table[index(byte_place(light))]
     return byte
+
+
+@fast_device
+def byte_place(light: float) -> float:
+    """Return the place of display light in `tone_table`, of which the whole part counts."""
+    return math.sqrt(bounded(light, f4(1))) * f4(TONES - 1) + f4(0.5)

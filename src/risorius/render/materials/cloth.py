@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 
 from ...core.arrays import Float32Array
-from ...core.kernels.jit import f4, fast_device, fast_inlined
+from ...core.kernels.jit import f4, fast_device, fast_inlined, index
 from ...core.kernels.vec import Vec, along, at, dot, mix, saturate, scale, smooth, times, unit, weigh
-from ...looks.attributes import CURVATURE, OCCLUSION, SKIN
+from ...looks.attributes import CURVATURE, EXTRA, OCCLUSION, SKIN
 from ...looks.garment import COLLAR
 from ..grain import grain
-from ..inputs import Batch, PosedMesh, SceneLight, Screen, Tables
+from ..inputs import Batch, LinearTriangles, PosedMesh, SceneLight, Screen, Tables
+from .exposure import expose
 from .lit import ambient_light, lamp_colour, lamp_direction, lamp_share
 from .patch import Corners, corners_of, put, towards, weights_of
 from .shadows import shadow_at
@@ -18,6 +19,10 @@ from .shadows import shadow_at
 _RIBS = f4(110)  # around the neck
 SEAM = f4(5)
 """Mm within which the collar's seam is seen."""
+_CELLS, _LOW = f4(3.2), f4(0.6)  # cells of the grain per mm; stitches are higher than wide
+STITCHES = (_CELLS, _LOW * _CELLS, _CELLS)
+"""Cells of the grain per mm along x, y and z."""
+_THREAD = f4(0.09)  # by which share they change the albedo
 _UP = (f4(0), f4(1), f4(0))
 
 
@@ -49,6 +54,36 @@ def light_cloth(
             put(mesh.cloth_light, batch.column[k], woven)
 
 
+@fast_inlined
+def covers(mesh: PosedMesh, corners: Corners) -> bool:
+    """Return whether a triangle lies under plain cloth, away from the collar."""
+    a, b, c = corners
+    depth = min(mesh.attributes[a, EXTRA], mesh.attributes[b, EXTRA], mesh.attributes[c, EXTRA])
+    return bool(depth > COLLAR + SEAM)
+
+
+@fast_device
+def light_cloth_vertices(
+    n: int,
+    batch: Batch,
+    mesh: PosedMesh,
+    screen: Screen,
+    light: SceneLight,
+    tables: Tables,
+    linear: LinearTriangles,
+) -> None:
+    """Write the display light of the last n vertices of `batch.column`, and what stitches change of it."""
+    albedo, whole = (tables.cloth[0], tables.cloth[1], tables.cloth[2]), (f4(1), f4(0), f4(0))
+    count = len(linear.pores)
+    for k in range(count - n, count):
+        v = index(batch.column[k])
+        view, normal = towards(screen.eye, at(mesh.positions, v)), unit(at(mesh.normals, v))
+        free = mesh.attributes[v, OCCLUSION]
+        woven = _lit(mesh, light, (v, v, v), whole, albedo, normal, view, mesh.shadow[v], free)
+        linear.pores[v, 0] = _THREAD * woven[1] * expose(v, woven, tables.film, linear)
+        linear.pores[v, 1] = linear.pores[v, 2] = linear.pores[v, 3] = f4(0)
+
+
 @fast_device
 def collar_shade(depth: float) -> float:
     """Return how much of its light plain cloth reflects at a place `depth` mm within the neckline."""
@@ -75,6 +110,22 @@ def _cloth(
     p = weigh(mesh.positions, corners, weights, 0)
     view, shadow = towards(screen.eye, p), shadow_at(mesh, light, corners, weights, p)
     albedo, normal = _knit(tables.grain, rest, albedo, normal, depth)
+    return _lit(mesh, light, corners, weights, albedo, normal, view, shadow, free)
+
+
+@fast_inlined
+def _lit(
+    mesh: PosedMesh,
+    light: SceneLight,
+    corners: Corners,
+    weights: Vec,
+    albedo: Vec,
+    normal: Vec,
+    view: Vec,
+    shadow: float,
+    free: float,
+) -> Vec:
+    """Return the light from cloth of this albedo and normal."""
     total = times(albedo, ambient_light(light.ambient, normal, free))
     for k in range(len(light.lamps)):
         lit = saturate((dot(normal, lamp_direction(light.lamps, k)) + f4(0.15)) * f4(1 / 1.15))
@@ -91,8 +142,8 @@ def _cloth(
 @fast_device
 def _knit(tile: Float32Array, rest: Vec, albedo: Vec, normal: Vec, depth: float) -> tuple[Vec, Vec]:
     """Return albedo and normal with stitches, and over the collar's width with ribs and a rolled edge."""
-    thread = grain(tile, (rest[0], rest[1] * f4(0.6), rest[2]), f4(3.2))[0]
-    light = f4(1) + f4(0.09) * thread
+    thread = grain(tile, (rest[0], rest[1] * _LOW, rest[2]), _CELLS)[0]
+    light = f4(1) + _THREAD * thread
     if depth < COLLAR:
         rib = math.sin(math.atan2(rest[0], rest[2] + f4(95)) * _RIBS)
         light *= f4(0.93) + f4(0.12) * rib

@@ -9,7 +9,8 @@ from ..inputs import PosedMesh, SceneLight
 from .lit import key_share
 from .patch import Corners
 
-_EVEN = f4(0.1)  # vertices whose shares differ by less need no shadow computed between them
+EVEN = f4(0.1)
+"""Vertices whose shares differ by less need no shadow computed between them."""
 
 
 @fast_kernel
@@ -23,7 +24,7 @@ def cast_shadows(positions: Float32Array, light: SceneLight, shadow: Float32Arra
 def shadow_at(mesh: PosedMesh, light: SceneLight, corners: Corners, weights: Vec, p: Vec) -> float:
     """Return the share of the key lamp that reaches p, a place in a triangle of skin."""
     a, b, c = mesh.shadow[corners[0]], mesh.shadow[corners[1]], mesh.shadow[corners[2]]
-    if max(a, b, c) - min(a, b, c) > _EVEN:
+    if max(a, b, c) - min(a, b, c) > EVEN:
         return key_share(light, p)
     share: float = weights[0] * a + weights[1] * b + weights[2] * c
     return share

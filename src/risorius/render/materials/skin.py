@@ -35,6 +35,7 @@ from ..lanes import (
     WAY,
     face,
     get,
+    heights_in,
     put,
 )
 from .folds import bent, creased
@@ -43,10 +44,15 @@ from .mouth import past_lips, spread_in_flesh
 from .patch import corners_of, weights_of
 from .patch import put as put_colour
 from .shadows import shadow_at
-from .skin_lamps import edge_light, lamp_light
+from .skin_lamps import PORES_SOFT, edge_light, lamp_light
 
 _FLESH = f4(0.85)  # share of a fold's slope that affects light scattered below the surface
-_PORES = f4(6.5 / 0.62)  # cells of the grain per mm: pores are 0.62 mm apart
+INNER_MOUTH = f4(0.02)
+"""Share of mouth interior up to which skin is lit as skin outside."""
+PORES = f4(6.5 / 0.62)
+"""Cells of the grain per mm: pores are 0.62 mm apart."""
+PORES_DARKEN, PORES_DULL = f4(0.025), f4(0.2)
+"""By what share pores change the albedo, and the strength of the gloss."""
 
 
 @fast_device
@@ -75,7 +81,7 @@ def _shade_block(
     _roughen(block, pose, screen.detail)
     _fold(count, batch, mesh, pose, tables, screen.detail)
     _shadow(count, block, pose)
-    _fill(block, light)
+    fill(block, light)
     for lamp in range(len(light.lamps)):
         lamp_light(count, lamp, block, light.lamps, tables.diffuse)
     edge_light(block, light.ambient)
@@ -109,7 +115,7 @@ def _read(k: int, lane: int, batch: Batch, mesh: PosedMesh, light: SceneLight, p
 def _find_grain(count: int, block: Float32Array, tile: Float32Array) -> None:
     """Look up the pores."""
     for k in range(count):
-        cell, way = cell_of(get(block, REST, k), _PORES)
+        cell, way = cell_of(get(block, REST, k), PORES)
         put(block, WAY, k, way)
         heights = heights_about(tile, cell)
         for corner in range(8):
@@ -120,28 +126,28 @@ def _find_grain(count: int, block: Float32Array, tile: Float32Array) -> None:
 def _roughen(block: Float32Array, pose: Pose, pixel: float) -> None:
     """Let the pores turn the normal and vary colour and gloss."""
     rotation = rows_of(pose.rotation)
-    # Pores smaller than two pixels would flicker as the head moves.
-    depth = f4(0.0075) * (f4(1) - smooth(f4(0.22), f4(0.7), pixel))
+    depth = pore_depth(pixel)
     for k in range(LANES):
-        heights = (
-            block[GRAIN + k],
-            block[GRAIN + LANES + k],
-            block[GRAIN + 2 * LANES + k],
-            block[GRAIN + 3 * LANES + k],
-            block[GRAIN + 4 * LANES + k],
-            block[GRAIN + 5 * LANES + k],
-            block[GRAIN + 6 * LANES + k],
-            block[GRAIN + 7 * LANES + k],
-        )
-        fine, gx, gy, gz = between(heights, get(block, WAY, k), _PORES)
+        fine, gx, gy, gz = between(heights_in(block, k), get(block, WAY, k), PORES)
         normal, slope = get(block, NORMAL, k), turned(rotation, (gx, gy, gz))
         pores = scale(along(slope, normal, -dot(slope, normal)), depth * (block[INNER + k] - f4(1)))
-        put(block, SOFT, k, tilted(normal, scale(pores, f4(0.5))))
+        put(block, SOFT, k, tilted(normal, scale(pores, PORES_SOFT)))
         put(block, BUMPY, k, tilted(normal, pores))
-        put(block, ALBEDO, k, scale(get(block, ALBEDO, k), f4(1) + f4(0.025) * fine))
-        block[STRENGTH + k] *= f4(1) + f4(0.2) * min(fine, f4(1))
-        # The collar's edge shades the skin close above it.
-        block[FREE + k] *= f4(1) - f4(0.5) * smooth(f4(-7), f4(0), block[CLOTH + k])
+        put(block, ALBEDO, k, scale(get(block, ALBEDO, k), f4(1) + PORES_DARKEN * fine))
+        block[STRENGTH + k] *= f4(1) + PORES_DULL * min(fine, f4(1))
+        block[FREE + k] *= collar_free(block[CLOTH + k])
+
+
+@fast_device
+def pore_depth(pixel: float) -> float:
+    """Return the depth of pores in mm: those smaller than two pixels would flicker as the head moves."""
+    return f4(0.0075) * (f4(1) - smooth(f4(0.22), f4(0.7), pixel))
+
+
+@fast_device
+def collar_free(cloth: float) -> float:
+    """Return the share of light that the collar's edge leaves to the skin close above it."""
+    return f4(1) - f4(0.5) * smooth(f4(-7), f4(0), cloth)
 
 
 @fast_device
@@ -171,7 +177,7 @@ def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
     """Compute how much of the key lamp and of the ambient light arrives."""
     for k in range(count):
         free, inner = block[FREE + k], block[INNER + k]
-        if inner > f4(0.02):
+        if inner > INNER_MOUTH:
             p = get(block, POSITION, k)
             seen = spread_in_flesh(past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, p))
             free += (seen - free) * inner
@@ -180,7 +186,7 @@ def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
 
 
 @fast_device
-def _fill(block: Float32Array, light: SceneLight) -> None:
+def fill(block: Float32Array, light: SceneLight) -> None:
     """Start with the ambient light."""
     ambient = ambient_of(light.ambient)
     for k in range(LANES):

@@ -5,14 +5,16 @@ from __future__ import annotations
 from ...core.arrays import Float32Array
 from ...core.kernels.jit import f4, fast_device
 from ...core.kernels.vec import Vec, add, along, dot, times
-from ..brdf import mirrored, schlick
+from ..brdf import mirrored, mirrored_change, schlick
 from ..lanes import (
     ALBEDO,
     ANGLE,
     BELOW,
     BUMPY,
     CURVATURE,
+    GRAIN,
     LANES,
+    NORMAL,
     OPENED,
     REACH,
     ROUGHNESS,
@@ -23,14 +25,19 @@ from ..lanes import (
     STRENGTH,
     TOTAL,
     VIEW,
+    WAY,
     get,
     put,
 )
-from ..subsurface import angle_place, curvature_place, scattered
+from ..subsurface import angle_place, curvature_place, scattered, steepness
 from .lit import ambient_of, ambient_on, lamp_colour, lamp_direction, warm_edge
 
 _DARK = f4(0.004)  # lamps of which less arrives are skipped
 _FACING = f4(0.028)  # reflected share at a right angle: index of refraction 1.4
+_SHARP = f4(0.7)  # share of the key lamp's gloss that is sharp
+_BROAD = f4(2.2)  # how many times as wide the rest is
+PORES_SOFT = f4(0.5)
+"""Share of the pores' slope that affects light scattered below the surface."""
 _FRONT = 2  # lamps; the others stand behind the head
 
 
@@ -100,7 +107,7 @@ def _add_key_gloss(block: Float32Array, direction: Vec, colour: Vec, softness: f
     for k in range(LANES):
         wide = block[ROUGHNESS + k] + softness
         sharp = _mirrored(block, k, direction, wide)
-        glint = f4(0.7) * sharp + f4(0.3) * _mirrored(block, k, direction, wide * f4(2.2))
+        glint = _SHARP * sharp + (f4(1) - _SHARP) * _mirrored(block, k, direction, wide * _BROAD)
         amount = glint * block[SHARE + k] * block[STRENGTH + k]
         put(block, SHINE, k, along(get(block, SHINE, k), colour, amount))
 
@@ -109,6 +116,35 @@ def _add_key_gloss(block: Float32Array, direction: Vec, colour: Vec, softness: f
 def _mirrored(block: Float32Array, k: int, direction: Vec, wide: float) -> float:
     bumpy, half = get(block, BUMPY, k), add(get(block, VIEW, k), direction)
     return mirrored(dot(bumpy, direction), dot(bumpy, half), dot(half, half), wide, _FACING)
+
+
+@fast_device
+def lamp_change(
+    count: int, lamp: int, block: Float32Array, lamps: Float32Array, diffuse: Float32Array
+) -> None:
+    """Add to WAY how the green light of a lamp changes with the normal, right after `lamp_light`."""
+    if not _arrive(count, lamp, block):
+        return
+    direction, colour, softness = lamp_direction(lamps, lamp), lamp_colour(lamps, lamp), lamps[lamp, 6]
+    for k in range(count):
+        block[GRAIN + k] = steepness(diffuse, block[ANGLE + k], curvature_place(block[CURVATURE + k]))
+    part = f4(0.4) if lamp >= _FRONT else f4(1)
+    for k in range(LANES):
+        share = block[SHARE + k]
+        below = PORES_SOFT * block[ALBEDO + LANES + k] * block[GRAIN + k] * warm_edge(share)[1] * colour[1]
+        normal, half = get(block, NORMAL, k), add(get(block, VIEW, k), direction)
+        facing_light, facing_half, apart = dot(normal, direction), dot(normal, half), dot(half, half)
+        wide = block[ROUGHNESS + k] + softness
+        sharp = mirrored_change(facing_light, facing_half, apart, wide, _FACING)
+        if lamp == 0:
+            broad = mirrored_change(facing_light, facing_half, apart, wide * _BROAD, _FACING)
+            sharp = (
+                _SHARP * sharp[0] + (f4(1) - _SHARP) * broad[0],
+                _SHARP * sharp[1] + (f4(1) - _SHARP) * broad[1],
+            )
+        amount = part * share * block[STRENGTH + k] * colour[1]
+        change = along(get(block, WAY, k), direction, below + amount * sharp[0])
+        put(block, WAY, k, along(change, half, amount * sharp[1]))
 
 
 @fast_device
