@@ -32,8 +32,8 @@ from .attributes import ALBEDO
 # as the flush of the cheeks does (`complexion`); lips have more of it under a thinner skin. Numbers are ours.
 _SKIN = f4(0.03), f4(0.29), f4(0.25)
 _LIPS = f4(0.10), f4(0.46), f4(0.36)
-_FOLDED = -0.8  # part of the gain that the ridges of folded skin get: they lose blood
-_FOLDING = ("forehead",)
+# Part of the gain that the skin of wrinkle regions gets: ridges lose blood; deep folds the shader reddens.
+_FOLDED = {"forehead": -0.8, "wing": 0.0, "sneer": 0.0}
 _LEAST, _MOST = f4(-0.12), f4(0.45)  # of the usual haemoglobin that skin gains, whatever its area
 _PRESSED = 0.7  # of the lips' blood that the greatest pressure drives out
 _YIELDING = 0.35  # activation of the presser at which two thirds of that is gone
@@ -70,7 +70,7 @@ class Perfusion:
         near = np.unique(fine.indices)  # the coarse vertices that count
         self._tables = _Rows.of(_smoothed(head, area)[near]), _Rows.of(fine[:, near])
         self._quads, self._area, self._vertices = quads, area, here.astype(np.uint32)
-        self._folded = (1.0 + (_FOLDED - 1.0) * _folding(head))[here].astype(np.float32)
+        self._folded = _folded(head)[here].astype(np.float32)
         self._flesh, self._lips = ((shown * part)[here].astype(np.float32) for part in (1.0 - lips, lips))
         self._albedo = np.ascontiguousarray(albedo[here])
         self._share, self._gain = np.zeros(len(quads), np.float32), np.zeros(len(near), np.float32)
@@ -107,10 +107,14 @@ def _shown(head: Head) -> Array:
     return np.where(shown < _NEGLIGIBLE, 0.0, shown)
 
 
-def _folding(head: Head) -> Array:
-    """Return where the skin folds (N1,), 0 to 1."""
-    masks = [placed.zone.mask for placed in place_regions(head) if placed.region.name in _FOLDING]
-    return np.asarray(np.max(masks, axis=0))
+def _folded(head: Head) -> Array:
+    """Return the part (N1,) of the gain of blood that skin gets where it is bunched."""
+    part = np.ones(head.skin.matrix.shape[0])
+    for placed in place_regions(head):
+        if placed.region.name in _FOLDED:
+            mask = placed.zone.mask
+            part = np.minimum(part, 1.0 + mask * (_FOLDED[placed.region.name] - 1.0))
+    return part
 
 
 def _smoothed(head: Head, area: Float32Array) -> sp.csr_matrix:
