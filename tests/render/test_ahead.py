@@ -23,10 +23,12 @@ class Program:
 
 @pytest.fixture
 def started(monkeypatch, tmp_path):
-    """The programs that are started, with nothing compiled and two processors."""
+    """The programs that are started, with nothing compiled, two processors and kernels that have changed."""
     found = []
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
     monkeypatch.setattr(ahead, "processors", lambda: 2)
+    monkeypatch.setattr(ahead.shipped, "covers", lambda _: False)
+    monkeypatch.setattr(ahead, "_PAUSE", 0.0)
     monkeypatch.setattr(ahead.processes, "start", lambda *_, **__: found.append(Program()) or found[-1])
     return found
 
@@ -51,20 +53,45 @@ def test_what_is_not_compiled_is_said_compiled_and_waited_for(started, announced
         assert started[0].done == []
         compiled()
         assert started[0].done == ["waited"]
-    total = ahead.KERNELS["realistic"]
-    assert announced == [(ahead.COMPILING,), ("Compiling", total, total)]
+    total = ahead.shipped.needed("realistic")
+    assert announced == [(ahead.ANNOUNCED.format(15),), ("Compiling", total, total)]
+
+
+def test_the_packages_code_is_not_waited_for_in_another_process(started, announced, monkeypatch):
+    monkeypatch.setattr(ahead.shipped, "covers", lambda _: True)
+    with ahead.compiled_ahead("realistic", lambda *said: announced.append(said)) as compiled:
+        compiled()
+    assert started == []
+    assert announced[0] == (ahead.ANNOUNCED.format(ahead.SECONDS[True]),)
 
 
 def test_kernels_that_either_process_stores_are_counted(started, announced, tmp_path):
     (tmp_path / "earlier.nbi").touch()
-    total = ahead.KERNELS["realistic"]
-    counted = ahead._Counted(lambda *said: announced.append(said), total)
+    counted = ahead._Counted(lambda *said: announced.append(said), total=5)
     for name in ("face/one.nbi", "render/two.nbi"):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).touch()
         counted.tell()
         counted.tell()
-    assert announced == [("Compiling", 1, total), ("Compiling", 2, total)]
+    assert announced == [("Compiling", 1, 5), ("Compiling", 2, 5)]
+
+
+def test_the_cache_is_not_looked_through_for_every_kernel(started, announced, monkeypatch):
+    looks = []
+    counted = ahead._Counted(lambda *said: announced.append(said), total=5)
+    monkeypatch.setattr(ahead, "_PAUSE", 60.0)
+    monkeypatch.setattr(counted, "_stored", lambda: looks.append(1) or len(looks))
+    for _ in range(9):
+        counted.on_end(None)
+    assert (len(looks), announced) == (1, [("Compiling", 1, 5)])
+
+
+def test_kernels_whose_number_is_not_known_are_not_counted(started, announced, monkeypatch, tmp_path):
+    monkeypatch.setattr(ahead.shipped, "needed", lambda _: 0)
+    with ahead.compiled_ahead("clay", lambda *said: announced.append(said)):
+        (tmp_path / "one.nbi").touch()
+        ahead.event.broadcast(ahead.event.Event(ahead.shipped.STORED, ahead.event.EventStatus.END))
+    assert announced == [(ahead.ANNOUNCED.format(15),)]
 
 
 def test_a_block_that_fails_waits_for_nobody_and_leaves_no_mark(started, announced):

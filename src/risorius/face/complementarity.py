@@ -75,8 +75,9 @@ def _balance(
     gap: Array, low: Array, high: Array, sweeps: int, matrix: Array, push: Array, here: Array
 ) -> None:
     count = len(gap)
-    push[:count] = 0.0
-    here[:count] = gap
+    # A loop, because slices of which numba checks the lengths would make this ten times as long.
+    for i in range(count):
+        push[i], here[i] = 0.0, gap[i]
     for _ in range(sweeps):
         change = 0.0
         for i in range(count):

@@ -1,7 +1,9 @@
-"""Compile the software renderer in a second process while this one compiles the face.
+"""Announce and count the kernels that the first picture waits for, and compile them in two processes.
 
-A process compiles one function at a time, so two processes on two processors shorten the first run. This is
-also a program, `python -m risorius.render.ahead STYLE`: it draws one small picture.
+Where the code that comes with the package fits, machine code is made of it sooner than a second process
+starts. Else the second one compiles the renderer while this one compiles the face, since a process compiles
+one function at a time. It is also a program, `python -m risorius.render.ahead STYLE`: it draws one small
+picture.
 """
 
 from __future__ import annotations
@@ -19,7 +21,7 @@ import numpy as np
 from numba.core import event
 
 from ..core import processes
-from ..core.kernels import compile_cache
+from ..core.kernels import compile_cache, shipped
 from ..core.parameters import NEUTRAL
 from ..core.progress import Progress
 from ..face.frame import FaceFrame
@@ -32,12 +34,11 @@ from .renderer_pool import processors
 _PATIENCE = 300.0
 """Seconds to wait for the other process; after that, this process compiles for itself."""
 _SIDE = 64
-KERNELS = {"realistic": 45, "explaining": 45}
-"""How many kernels a first picture compiles, in both processes."""
-
-
-COMPILING = "Compiling the face and the renderer (once, about 15 s) …"
+ANNOUNCED = "Compiling the face and the renderer (once, about {} s) …"
+SECONDS = {True: 4, False: 15}
+"""How long the first picture takes by the clock: from the package's code, and where all is compiled."""
 _STAGE = "Compiling"
+_PAUSE = 0.1  # s between two looks at what is in the cache, each of which takes a millisecond
 _LOOK = 0.5  # s between two looks at what the other process has compiled
 
 
@@ -53,12 +54,13 @@ def compiled_ahead(style: str, progress: Progress) -> Iterator[Callable[[], None
     if _mark(style).exists():
         yield _no_wait
         return
-    progress(COMPILING)
-    counted = _Counted(progress, KERNELS[_kind(style)])
+    ready = shipped.covers(_kind(style))
+    progress(ANNOUNCED.format(SECONDS[ready]))
+    counted = _Counted(progress, shipped.needed(_kind(style)))
     with (
         _no_collection(),
-        event.install_listener("numba:compile", counted),
-        _compiler(style, counted.tell) as wait,
+        event.install_listener(shipped.STORED, counted),
+        _compiler(style, counted.tell, ready) as wait,
     ):
         yield wait
     counted.finish()
@@ -67,39 +69,47 @@ def compiled_ahead(style: str, progress: Progress) -> Iterator[Callable[[], None
 
 
 class _Counted(event.Listener):  # type: ignore[misc]  # numba has no types
-    """Tells how many kernels are in the cache, whichever process compiled them, when that has changed."""
+    """Tells how many kernels are in the cache, whichever process stored them, when that has changed."""
 
     def __init__(self, progress: Progress, total: int) -> None:
-        self._progress, self._total, self._told = progress, total, 0
+        self._progress, self._total, self._told, self._looked = progress, total, 0, -np.inf
         self._folder = compile_cache.in_use()
         self._before = self._stored()
 
     def on_start(self, event: Any) -> None:
-        """Do nothing: the last function that was compiled is told of already."""
+        """Do nothing: the last kernel is told of already."""
 
     def on_end(self, event: Any) -> None:
-        """Tell after each function that numba compiles."""
+        """Tell after each kernel that this process stores."""
         self.tell()
 
     def tell(self) -> None:
-        """Tell how many kernels there are, if there are more than were told of."""
+        """Tell how many kernels there are, if there are more than were told of; look not too often."""
+        now = time.monotonic()
+        if now - self._looked < _PAUSE:
+            return
+        self._looked = now
         done = min(self._stored() - self._before, self._total - 1)
         if done > self._told:
             self._told = done
             self._progress(_STAGE, done, self._total)
 
     def finish(self) -> None:
-        """Tell that all are done."""
-        self._progress(_STAGE, self._total, self._total)
+        """Tell that all are done, if it is known how many they are."""
+        if self._total:
+            self._progress(_STAGE, self._total, self._total)
 
     def _stored(self) -> int:
         return sum(1 for _ in self._folder.rglob("*.nbi"))
 
 
 @contextmanager
-def _compiler(style: str, tell: Callable[[], None]) -> Iterator[Callable[[], None]]:
-    """Start the process that compiles if a processor is free for it; yield a function that waits for it."""
-    if processors() < 2:
+def _compiler(style: str, tell: Callable[[], None], ready: bool) -> Iterator[Callable[[], None]]:
+    """Start the process that compiles if a processor is free for it; yield a function that waits for it.
+
+    None is started if the package's code is `ready` for all kernels.
+    """
+    if ready or processors() < 2:
         yield _no_wait
         return
     process = processes.start("risorius.render.ahead", style, stdin=DEVNULL, stdout=DEVNULL, stderr=DEVNULL)

@@ -8,9 +8,12 @@ each constant among the arguments, and makes machine code of all of them.
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 from typing import Any
 
+import llvmlite.binding as llvm
 from numba import _dynfunc
 from numba.core import typed_passes, untyped_passes
 from numba.core.codegen import JITCodeLibrary
@@ -29,6 +32,24 @@ from numba.core.typing.templates import infer_global
 from . import quick_types
 
 quick_types.register()
+
+_MODEL = "znver4"
+
+
+@lru_cache(maxsize=1)
+def _alike(codegen: Any) -> Any:
+    """Return numba's generator of code that optimizes for the same processor wherever it runs.
+
+    So code is the same wherever it is optimized (`shipped.py`), and sums of any order are summed in the same
+    one: up to sixteen numbers at once. Machine code is made for the processor at hand, which needs two steps
+    for sixteen numbers if its vectors are half as long; that takes no longer than vectors of eight.
+    """
+    triple = llvm.get_process_triple()
+    if not triple.startswith("x86_64"):
+        return codegen
+    alike, target = copy.copy(codegen), llvm.Target.from_triple(triple)
+    alike._tm = target.create_target_machine(_MODEL, opt=3, reloc="static", codemodel="jitdefault", jit=True)
+    return alike
 
 
 def register_device(function: Callable[..., Any], options: Mapping[str, Any]) -> None:
@@ -134,8 +155,9 @@ class KernelCompiler(Compiler):  # type: ignore[misc]
     def define_pipelines(self) -> list[PassManager]:
         """Return the passes that our functions need."""
         state = self.state
-        if state.library is None and not state.flags.nrt:
-            state.library = _Lean(state.targetctx.codegen(), state.func_id.func_qualname)
+        if state.library is None:
+            kind = JITCodeLibrary if state.flags.nrt else _Lean
+            state.library = kind(_alike(state.targetctx.codegen()), state.func_id.func_qualname)
             state.library.enable_object_caching()
         return [_Passes(self.lowering())]
 
@@ -147,6 +169,6 @@ class _DeviceCompiler(KernelCompiler):
         """Return the passes, with a library and a lowering of our own."""
         state = self.state
         state.flags.no_cpython_wrapper = state.flags.no_cfunc_wrapper = state.flags.no_compile = True
-        state.library = _Part(state.targetctx.codegen(), state.func_id.func_qualname)
+        state.library = _Part(_alike(state.targetctx.codegen()), state.func_id.func_qualname)
         state.library.reordered = "reassoc" in state.flags.fastmath.flags
         return super().define_pipelines()

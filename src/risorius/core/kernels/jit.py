@@ -16,6 +16,7 @@ import numpy as np
 
 from .compile_cache import use_own_folder
 from .device_compiler import KernelCompiler, register_device
+from .shipped import KernelCache
 
 use_own_folder()
 
@@ -98,19 +99,20 @@ def fast_inlined(function: F) -> F:
 
 
 def _kernel(function: F, **options: Any) -> F:
-    """Compile a kernel and keep its machine code on disk.
+    """Compile a kernel, unless the user's cache or the package has its code, and keep it in the cache.
 
     No entry point for C is generated: nothing uses it, and the first run would wait for its compilation.
     """
     jit = numba.njit(
-        cache=True,
         nogil=True,
         error_model="numpy",
         no_cfunc_wrapper=True,
         pipeline_class=KernelCompiler,
         **options,
     )
-    return cast(F, jit(function))
+    dispatcher = jit(function)
+    dispatcher._cache = KernelCache(function)
+    return cast(F, dispatcher)
 
 
 def _device(function: F, **options: Any) -> F:
