@@ -140,6 +140,15 @@ def test_the_tucked_lip_touches_the_teeth_from_before(face, head):
     assert 1.7 < lip[2] - edge[0] < 2.5
 
 
+def test_the_tucked_lip_is_near_the_back_of_the_upper_lip(face, head):
+    """At most 2 mm behind it (facts: lips-motion, 8); the lip itself is some 10 mm thick."""
+    frame = face(masseter=0.08, lip_tuck=1.0)
+    skin, (upper, lower) = frame.skin, Gauge(head).landmarks(frame)[[62, 66]]
+    above = (skin[:, 1] > upper[1] + 0.5) & (skin[:, 1] < upper[1] + 6.0)
+    behind = (np.abs(skin[:, 0]) < 1.2) & (skin[:, 2] < upper[2]) & (skin[:, 2] > lower[2] - 3.0)
+    assert 0.0 < skin[above & behind, 2].min() - lower[2] < 2.0
+
+
 def test_the_lip_gap_grows_with_the_jaw(face, head):
     gauge = Gauge(head)
     gap = [gauge.measure(face(masseter=jaw)).lip_gap_mm for jaw in np.linspace(0.0, 1.0, 11)]
