@@ -13,7 +13,7 @@ from ..core.kernels.jit import f4, index, lean_device, lean_kernel
 from .fill import fill, fill_ribbon
 from .raster import CHUNK, find_rows, is_ribbon
 
-BAND = 64  # rows of samples drawn at once
+BAND = 96  # rows of samples drawn at once, a multiple of the samples per pixel and side
 
 
 class Visibility:
