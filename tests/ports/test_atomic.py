@@ -25,6 +25,22 @@ def test_after_an_exception_nothing_new_is_left_and_the_old_file_stays(
     assert list(tmp_path.iterdir()) == [target]
 
 
+def test_an_interrupt_at_the_moment_of_creation_leaves_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    close = os.close
+
+    def close_and_stop(file: int) -> None:
+        close(file)
+        raise Stop
+
+    monkeypatch.setattr("risorius.ports.atomic.os.close", close_and_stop)
+    with pytest.raises(Stop), replacing(tmp_path / "x.txt"):
+        pass
+    monkeypatch.undo()
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_a_full_disk_is_one_line(tmp_path: Path) -> None:
     target = tmp_path / "x.txt"
     with (

@@ -30,8 +30,10 @@ def replacing(path: Path) -> Iterator[Path]:
     try:
         # Renaming onto a link would replace the link itself.
         final = Path(os.path.realpath(path))
-        temporary = _create_beside(final)
-        try:
+        _sweep(final.parent)
+        temporary = _name_beside(final)
+        try:  # from before there is a file: an interrupt may come at any moment
+            _create(temporary)
             yield temporary
             temporary.replace(final)
         except BaseException:
@@ -78,14 +80,12 @@ def _sweep(folder: Path) -> None:
                 left.unlink(missing_ok=True)
 
 
-def _create_beside(final: Path) -> Path:
-    """Create an empty file that only we know, with the permissions that any new file gets."""
-    _sweep(final.parent)
-    while True:
-        run = f"{_run.get()}-" if _run.get() else ""
-        temporary = final.with_name(f"{_BEGINNING}{run}{secrets.token_hex(6)}{_TEMPORARY}")
-        try:
-            os.close(os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666))
-        except FileExistsError:
-            continue
-        return temporary
+def _name_beside(final: Path) -> Path:
+    """Return a name in the folder of `final` that no other file has."""
+    run = f"{_run.get()}-" if _run.get() else ""
+    return final.with_name(f"{_BEGINNING}{run}{secrets.token_hex(8)}{_TEMPORARY}")
+
+
+def _create(path: Path) -> None:
+    """Create an empty file with the permissions that any new file gets."""
+    os.close(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666))
