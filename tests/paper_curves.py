@@ -17,8 +17,8 @@ from .channels.at_work import movements
 
 FPS = 200
 FRAME = 1.0 / FPS
-INNER, OUTER = "frontalis_medialis.left", "frontalis_lateralis.left"
-FROWN, SMILE, NOSE = "corrugator_supercilii.left", "zygomatic_major.left", "levator_labii_nasi.left"
+OUTER = "frontalis_lateralis.left"
+SMILE, NOSE = "zygomatic_major.left", "levator_labii_nasi.left"
 HEAD = ("head_pitch", "head_yaw", "head_roll")
 Curves = dict[str, Array]
 

@@ -19,8 +19,8 @@ from risorius.core.utterance import Utterance
 from risorius.face.lip_file import load_lip_rig
 from risorius.rules.profiles import profile_of
 
-from .channels.at_work import LID, Maker
-from .paper_curves import FPS, FRAME, INNER, SMILE, active, closures, performed, shown, value
+from .channels.at_work import INNER, LID, Maker
+from .paper_curves import FPS, FRAME, SMILE, active, closures, performed, shown, value
 
 # Combination (paper B, sections 4.4 and 6.4; paper A, sections 4 to 6)
 

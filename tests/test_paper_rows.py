@@ -22,13 +22,11 @@ from risorius.rules.emotions import emotion, emotion_text
 from risorius.rules.profiles import profile_of
 from risorius.rules.rule_set import extended, shipped
 
-from .channels.at_work import LID, LONG, THOUGHT_OUT, Maker, movements
+from .channels.at_work import FROWN, INNER, LID, LONG, PUNCTUATED, THOUGHT_OUT, Maker, movements
 from .paper_curves import (
     FPS,
     FRAME,
-    FROWN,
     HEAD,
-    INNER,
     NOSE,
     OUTER,
     SMILE,
@@ -260,15 +258,7 @@ def test_fast_speech_makes_signals_short_and_small(sentence_of: Maker) -> None:
     assert sizes[0] < sizes[-1]
 
 
-@pytest.mark.parametrize(
-    ("text", "kind", "rule", "name"),
-    [
-        ("One two. Three.", PauseKind.FULL_STOP, "punctuators.brows.full_stop", FROWN),
-        ("Is it one? Three.", PauseKind.QUESTION, "punctuators.brows.question", INNER),
-        ("You won? Three.", PauseKind.QUESTION, "punctuators.brows.unmarked", INNER),
-        ("One, three.", PauseKind.COMMA, "punctuators.brows.comma", INNER),
-    ],
-)
+@pytest.mark.parametrize(("text", "kind", "rule", "name"), PUNCTUATED)
 def test_punctuators_come_and_go_with_their_pause(
     text: str, kind: PauseKind, rule: str, name: str, sentence_of: Maker
 ) -> None:

@@ -5,15 +5,25 @@ from collections.abc import Callable, Sequence
 
 from risorius.channels import ChannelInputs, compose
 from risorius.core.movement import Movement
-from risorius.core.utterance import Utterance
+from risorius.core.utterance import PauseKind, Utterance
 from risorius.rules.rule_set import extended, shipped
 
 Maker = Callable[..., Utterance]
 LID = "orbicularis_oculi_palpebralis.left"
+INNER, FROWN = "frontalis_medialis.left", "corrugator_supercilii.left"
 SAID = "Well[H*], what about Julia[H*]? She likes popcorn[L+H*]. I am sure[H*], very sure[H*]!"
 LONG = " ".join([SAID] * 12)
 # Its first sentence is as long as one that is begun with a look away.
 THOUGHT_OUT = f"I never know what one says[H*] to people who do not like popcorn[L+H*]. {LONG}"
+PUNCTUATED = [
+    ("One two. Three.", PauseKind.FULL_STOP, "punctuators.brows.full_stop", FROWN),
+    ("Is it one? Three.", PauseKind.QUESTION, "punctuators.brows.question", INNER),
+    ("You won? Three.", PauseKind.QUESTION, "punctuators.brows.unmarked", INNER),
+    ("One! Three.", PauseKind.EXCLAMATION, "punctuators.brows.exclamation", INNER),
+    ("One, three.", PauseKind.COMMA, "punctuators.brows.comma", INNER),
+    ("Um… three.", PauseKind.HESITATION, "punctuators.brows.hesitation", FROWN),
+]
+"""A text with a pause of each kind, the rule that punctuates it, and a muscle that the rule contracts."""
 
 
 def certain(prefix: str) -> str:

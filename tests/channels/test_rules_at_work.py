@@ -13,9 +13,7 @@ from risorius.core.utterance import Accent, PauseKind
 from risorius.rules.profiles import BLINK_MODELS, attitude, profile, profile_of, profiles
 from risorius.rules.rule_set import shipped
 
-from .at_work import LONG, SAID, THOUGHT_OUT, Maker, by_rule, movements
-
-INNER, FROWN = "frontalis_medialis.left", "corrugator_supercilii.left"
+from .at_work import FROWN, INNER, LONG, PUNCTUATED, SAID, THOUGHT_OUT, Maker, by_rule, movements
 
 
 def test_accents_gather_brows_head_mouth_and_blinks(sentence_of: Maker) -> None:
@@ -35,17 +33,7 @@ def test_brows_lead_the_accented_syllable(sentence_of: Maker) -> None:
     assert 0.0 <= lead <= 0.13
 
 
-@pytest.mark.parametrize(
-    ("text", "kind", "rule", "moved"),
-    [
-        ("One two. Three.", PauseKind.FULL_STOP, "punctuators.brows.full_stop", FROWN),
-        ("Is it one? Three.", PauseKind.QUESTION, "punctuators.brows.question", INNER),
-        ("You won? Three.", PauseKind.QUESTION, "punctuators.brows.unmarked", INNER),
-        ("One! Three.", PauseKind.EXCLAMATION, "punctuators.brows.exclamation", INNER),
-        ("One, three.", PauseKind.COMMA, "punctuators.brows.comma", INNER),
-        ("Um… three.", PauseKind.HESITATION, "punctuators.brows.hesitation", FROWN),
-    ],
-)
+@pytest.mark.parametrize(("text", "kind", "rule", "moved"), PUNCTUATED)
 def test_pauses_are_punctuated_by_their_kind_from_start_to_end(
     text: str, kind: PauseKind, rule: str, moved: str, sentence_of: Maker
 ) -> None:
