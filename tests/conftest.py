@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -30,7 +30,7 @@ from risorius.speech.structure.phrases import with_phrases
 from risorius.take import Take
 
 from . import profiles  # noqa: F401  (registers them)
-from .schedule import FilesInOrder, in_order
+from .schedule import FilesInOrder, begun_elsewhere, in_order
 
 VOWELS = frozenset({"AA", "AE", "AH", "AO", "AW", "AY", "EH", "ER", "EY", "IH", "IY", "OW", "OY", "UH", "UW"})
 UtteranceMaker = Callable[..., Utterance]
@@ -44,6 +44,14 @@ def pytest_configure(config: pytest.Config) -> None:
     # What the command line says in one line if nobody foresaw it is a failure of the program.
     os.environ[STRICT] = "1"
     settings.load_profile("full" if config.getoption("full") else "everyday")
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_make_collect_report(collector: pytest.Collector) -> Generator[None, pytest.CollectReport, object]:
+    report = yield
+    if isinstance(collector, pytest.Directory):
+        report.result = begun_elsewhere(report.result)
+    return report
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

@@ -1,12 +1,15 @@
-"""In which order tests run, and which of them together where processes share them (`pytest -n 2`)."""
+"""In which order tests run, and which of them together where processes share them (`pytest -n 3`)."""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
+from pathlib import Path
 
 import pytest
 from xdist.scheduler import LoadScopeScheduling
 
+_Entry = pytest.Item | pytest.Collector
 BROWSER = "tests/studio/browser/"
 FIRST = (
     BROWSER,
@@ -22,12 +25,24 @@ APART = ("tests/test_docs.py", "tests/blend/test_plan.py")
 
 
 def in_order(items: Sequence[pytest.Item]) -> list[pytest.Item]:
-    """Return the tests in which they are to run: those of `FIRST`, then the others as they are."""
+    """Return the tests as they are to run: those of `FIRST`, then the others by the names of their files."""
 
-    def place(item: pytest.Item) -> int:
-        return next((k for k, start in enumerate(FIRST) if item.nodeid.startswith(start)), len(FIRST))
+    def place(item: pytest.Item) -> tuple[int, Path]:
+        group = next((k for k, start in enumerate(FIRST) if item.nodeid.startswith(start)), len(FIRST))
+        return group, item.path
 
     return sorted(items, key=place)
+
+
+def begun_elsewhere(entries: Sequence[_Entry]) -> list[_Entry]:
+    """Return a folder's entries, which each process begins at another place.
+
+    All processes read all files; what the first makes of one (pytest rewrites its assertions) is kept for the
+    others.
+    """
+    number = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
+    start = len(entries) * number // int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
+    return [*entries[start:], *entries[:start]]
 
 
 class FilesInOrder(LoadScopeScheduling):  # type: ignore[misc]

@@ -17,7 +17,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from scipy.signal import resample_poly
 
 from risorius import speak
 from risorius.core.arrays import Array
@@ -33,6 +32,8 @@ Message = dict[str, Any]
 
 def resampled(sound: Array, rate: int, wanted: int) -> Array:
     """Return int16 samples at another rate."""
+    from scipy.signal import resample_poly  # takes longer to load than all else that the tests read here
+
     divisor = int(np.gcd(rate, wanted))
     return np.asarray(resample_poly(sound, wanted // divisor, rate // divisor).clip(-32768, 32767), np.int16)
 

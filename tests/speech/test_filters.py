@@ -7,7 +7,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.ndimage import median_filter, uniform_filter1d
-from scipy.signal import firwin, resample_poly
 
 from risorius.speech.filters import low_pass, mean_of, median_of, with_rate
 
@@ -20,6 +19,8 @@ def noise(count: int) -> np.ndarray:
 
 @pytest.mark.parametrize(("taps", "cutoff"), [(31, 0.2), (8, 0.9), (201, 0.01)])
 def test_a_low_pass_is_that_of_scipy(taps: int, cutoff: float) -> None:
+    from scipy.signal import firwin
+
     assert np.allclose(low_pass(np.hamming(taps), cutoff), firwin(taps, cutoff), rtol=0.0, atol=1e-15)
     kaiser = firwin(taps, cutoff, window=("kaiser", 5.0))
     assert np.allclose(low_pass(np.kaiser(taps, 5.0), cutoff), kaiser, rtol=0.0, atol=1e-15)
@@ -28,6 +29,8 @@ def test_a_low_pass_is_that_of_scipy(taps: int, cutoff: float) -> None:
 @pytest.mark.parametrize(("up", "down"), RATES)
 @given(count=st.integers(0, 3000))
 def test_sound_at_another_rate_is_that_of_scipy(up: int, down: int, count: int) -> None:
+    from scipy.signal import resample_poly
+
     taps = low_pass(np.kaiser(20 * max(up, down) + 1, 5.0), 1.0 / max(up, down))
     samples = noise(count)
     found = with_rate(samples, up, down, taps)
