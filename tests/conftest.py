@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import re
 from collections.abc import Callable, Generator
@@ -61,6 +62,11 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         config.hook.pytest_deselected(items=left_out)
         items[:] = [item for item in items if not item.get_closest_marker("full")]
     items[:] = in_order(items)
+
+
+def pytest_collection_finish() -> None:
+    """Leave the tests themselves, which live to the end, out of all later collections of garbage."""
+    gc.freeze()
 
 
 @pytest.hookimpl(optionalhook=True)

@@ -106,7 +106,8 @@ def test_the_knots_of_a_block_do_not_grow_with_a_stretch_that_leaves_it(start: f
     assert block[0] <= BLOCK - 2.0
     assert min(2.0 * BLOCK + 2.0, last) <= block[-1]
     every = knots.between(0.0, last)
-    assert np.isin(block.round(9), every.round(9)).all()
+    near = every[: np.searchsorted(every, block[-1] + 0.01)]  # millions come after
+    assert np.isin(block.round(9), near.round(9)).all()
 
 
 def test_times_lie_in_the_parts_that_hold_them() -> None:
