@@ -35,7 +35,7 @@ _PATIENCE = 300.0
 """Seconds to wait for the other process; after that, this process compiles for itself."""
 _SIDE = 64
 ANNOUNCED = "Compiling the face and the renderer (once, about {} s) …"
-SECONDS = {True: 4, False: 15}
+SECONDS = {True: 5, False: 15}
 """How long the first picture takes by the clock: from the package's code, and where all is compiled."""
 _STAGE = "Compiling"
 _PAUSE = 0.1  # s between two looks at what is in the cache, each of which takes a millisecond
