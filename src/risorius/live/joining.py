@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future
 from dataclasses import dataclass
-from functools import cache
 from math import ceil
 
+from .threads import threads
 from .turn import LiveStretch, PerformedTurn, TurnPlan
 from .waiting import LiveSentence
 
@@ -27,14 +27,14 @@ class Joining:
 def join_later(playing: LiveStretch, new: tuple[LiveSentence, ...], plan: TurnPlan, frame: int) -> Joining:
     """Perform a turn that plays `frame` next with new sentences: from their last call on at the latest."""
     at = _heard_from(playing, (*playing.sentences, *new), plan, frame)
-    turn = _threads(plan.performer.threads).submit(plan.extended, playing.sentences, new)
+    turn = threads("join", plan.performer.threads).submit(plan.extended, playing.sentences, new)
     return Joining(at, new, turn)
 
 
 def lead_on_later(playing: LiveStretch, following: LiveSentence, plan: TurnPlan, frame: int) -> Joining:
     """Perform a full turn that plays `frame` next as one that another follows at once."""
     at = _heard_from(playing, (*playing.sentences, following), plan, frame)
-    turn = _threads(plan.performer.threads).submit(plan.led_on, playing, following)
+    turn = threads("join", plan.performer.threads).submit(plan.led_on, playing, following)
     return Joining(at, (), turn)
 
 
@@ -47,8 +47,3 @@ def _wait(sentences: tuple[LiveSentence, ...], plan: TurnPlan) -> int:
     """Return the frames that performing sentences may take."""
     characters = sum(len(sentence.text) for sentence in sentences)
     return ceil((_WAIT + _WAIT_A_CHARACTER * characters) * plan.settings.fps)
-
-
-@cache
-def _threads(most: int) -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(most, "join")

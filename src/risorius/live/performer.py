@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from functools import cache, partial
+from functools import partial
 from typing import Protocol
 
 import numpy as np
@@ -23,6 +22,7 @@ from ..speech.engines.voices import find_voice
 from ..take import Take
 from . import hearing
 from .hearing import HeardPhrase, Hearing
+from .threads import threads
 from .voice import VoicedPhrase
 
 PerformSentence = Callable[[str, Displays, Settings], Take]
@@ -138,7 +138,7 @@ def hear_later(
     performer: TurnPerformer, phrase: VoicedPhrase, language: str, before: Hearing | None
 ) -> Hearing:
     """Hear a phrase in another thread, after the one before it, which may have left some of the text."""
-    return _threads(performer.threads).submit(_hear_after, performer, phrase, language, before)
+    return threads("hear", performer.threads).submit(_hear_after, performer, phrase, language, before)
 
 
 def _hear_after(
@@ -146,8 +146,3 @@ def _hear_after(
 ) -> HeardPhrase:
     rest = "" if before is None else before.result().rest
     return performer.hear(replace(phrase, text=rest + phrase.text), language)
-
-
-@cache
-def _threads(most: int) -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(most, "hear")
