@@ -168,3 +168,22 @@ def test_errors_come_through_as_they_are(error: RisoriusError) -> None:
     again = pickle.loads(pickle.dumps(error))
     assert type(again) is type(error)
     assert (str(again), vars(again)) == (str(error), vars(error))
+
+
+def test_the_process_is_started_when_frames_are_to_come_in_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Not with the first frame or the first sentence: it loads for a second or more."""
+    started: list[object] = []
+    processes = beside.Processes()
+    monkeypatch.setattr(beside, "_processes", processes)
+    monkeypatch.setattr(beside, "PerformerProcess", lambda: started.append(1) or FakeProcess())
+    beside.warm_beside()
+    beside.warm_beside()
+    assert len(started) == 1
+    faces = [Live() for _ in range(2)]
+    iterators = [faces[0].frames(paced=True), faces[1].aframes()]
+    assert len(started) == 1
+    assert len(processes._users[0][1]) == len(iterators)
+
+
+class FakeProcess:
+    is_lost = False

@@ -157,20 +157,34 @@ class Processes:
     def performer(self) -> TurnPerformer:
         """Return a performer in the process with the fewest faces; a performer here if there can be none."""
         with self._lock:
-            self._users = [(process, users) for process, users in self._users if not process.is_lost]
-            fewest = min((len(users) for _, users in self._users), default=_FACES)
-            if fewest >= _FACES and len(self._users) < (os.cpu_count() or 1):
-                try:
-                    self._users.append((PerformerProcess(), WeakSet()))
-                except (OSError, ValueError):
-                    return LocalPerformer()
+            self._grow()
+            if not self._users:
+                return LocalPerformer()
             process, users = min(self._users, key=lambda entry: len(entry[1]))
             performer = PerformerBeside(process)
             users.add(performer)
             return performer
 
+    def warm(self) -> None:
+        """Start the process of the next face, unless there is one with room."""
+        with self._lock:
+            self._grow()
+
+    def _grow(self) -> None:
+        """Start a process if the others have no room and there may be one more."""
+        self._users = [(process, users) for process, users in self._users if not process.is_lost]
+        fewest = min((len(users) for _, users in self._users), default=_FACES)
+        if fewest >= _FACES and len(self._users) < (os.cpu_count() or 1):
+            with contextlib.suppress(OSError, ValueError):
+                self._users.append((PerformerProcess(), WeakSet()))
+
 
 _processes = Processes()
+
+
+def warm_beside() -> None:
+    """Start the process that performs for the next face: it loads for a second or more."""
+    _processes.warm()
 
 
 def performer_beside() -> TurnPerformer:

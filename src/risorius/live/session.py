@@ -232,15 +232,21 @@ class Live:
         error in a sentence (RisoriusError) is raised once; `frames`, called again, goes on after it.
         """
         self._set_waiting(waits and not paced)
+        return self._frames(paced=paced)
+
+    def _frames(self, *, paced: bool) -> Iterator[LiveFrame]:
         pace = Pace(self._settings.fps, time.monotonic)
         while (frame := self._frame()) is not None:
             if paced and (wait := pace.wait(frame.index)):
                 time.sleep(wait)
             yield frame
 
-    async def aframes(self) -> AsyncIterator[LiveFrame]:
+    def aframes(self) -> AsyncIterator[LiveFrame]:
         """Yield what `frames` does, paced; each is made in another thread meanwhile."""
         self._set_waiting(False)
+        return self._aframes()
+
+    async def _aframes(self) -> AsyncIterator[LiveFrame]:
         pace = Pace(self._settings.fps, time.monotonic)
         while (frame := await asyncio.to_thread(self._frame)) is not None:
             if wait := pace.wait(frame.index):

@@ -23,6 +23,7 @@ from starlette.websockets import WebSocket
 
 from ..api import speak
 from ..errors import InputError, RisoriusError
+from ..live.beside import warm_beside
 from ..live.session import Live
 from ..ports.rig import Rig
 from ..settings import Settings
@@ -30,6 +31,7 @@ from ..web.guard import HOSTS, Guard
 from ..web.listening import HOST, bound
 from . import limits, pages
 from .client import BUSY, Gate, LiveClient
+from .protocol import LiveProtocol
 
 PORT = 8766
 LOG = logging.getLogger(__name__)
@@ -113,7 +115,8 @@ class LiveServer:
 
 
 def warm_up() -> None:
-    """Load and compile what the first client would wait for."""
+    """Load and compile what the first client would wait for, beside the process that performs for it."""
+    warm_beside()
     try:
         speak("Hello.", text=True)
         next(Live(arkit=True).frames(waits=False))
@@ -150,7 +153,7 @@ def configured(live: LiveServer) -> uvicorn.Config:
         live.app(),
         log_level="warning",
         access_log=False,
-        ws="websockets-sansio",
+        ws=LiveProtocol,
         ws_max_size=limits.MESSAGE,
         ws_per_message_deflate=False,
         timeout_graceful_shutdown=2,
