@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 from itertools import islice, pairwise
+from math import ceil
 
 import numpy as np
 import pytest
@@ -12,11 +13,13 @@ from hypothesis import strategies as st
 
 from risorius import Live, speak
 from risorius.core.parameters import INDEX, NAMES
+from risorius.languages import language_of
 from risorius.live import session, turn
 from risorius.live.frame import LiveFrame
 from risorius.live.performer import perform_sentence
 from risorius.live.seam import SEAM
-from risorius.live.turn import TAIL
+from risorius.live.sentences import SentenceBuffer
+from risorius.live.turn import LAST_CALL, TAIL
 from risorius.rules.emotions import Displays
 from risorius.settings import Settings
 from risorius.take import Take
@@ -106,6 +109,23 @@ def test_sentences_that_join_in_time_give_the_frames_of_the_whole(
 @given(st.integers(1, 25), st.integers(0, 28), st.lists(st.integers(0, len(SECOND + THIRD)), max_size=5))
 def test_sentences_join_in_time_whenever_they_come(first: int, second: int, cuts: list[int]) -> None:
     check_joining(first, second, cuts)
+
+
+@pytest.mark.parametrize("early", [0, 9])
+def test_sentences_that_come_one_by_one_at_the_last_moment_give_the_frames_of_the_whole(early: int) -> None:
+    """Each becomes whole .9 s before the end of what was said before it."""
+    sentences = [*SentenceBuffer(language_of("en-us")).add(PARAGRAPH + " Oh")]
+    face = talking()
+    iterator, frames = face.frames(), []
+    for number, sentence in enumerate(sentences):
+        if number:
+            before = offline("".join(sentences[:number]).strip())
+            call = len(before.performance.values) - ceil(LAST_CALL * 30)
+            frames += islice(iterator, call - early - len(frames))
+        face.say(sentence)
+        face.flush()
+    face.close()
+    close_to([*frames, *iterator], offline(PARAGRAPH))
 
 
 def test_a_turn_that_nothing_joins_in_time_ends_as_one_that_nothing_follows() -> None:

@@ -10,8 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.blend.mouth.coarticulation import LIP_MODELS, SegmentValues, without_gaps
-from risorius.blend.mouth.effort import EFFORT, EffortModel
+from risorius.blend.mouth.effort import EFFORT, HELD, PART, EffortModel
 from risorius.core.movement import LipSegment
+from risorius.core.utterance import SILENCE
 from tests.profiles import examples
 
 JAW = "masseter"
@@ -131,3 +132,23 @@ class TestShape:
         values = curve(found, np.arange(-0.5, 0.8, 0.01))
         assert np.isfinite(values).all()
         assert 0.6 < values.max() < 0.9
+
+
+@examples(25)
+@given(phones(), phones(), st.floats(0.16, 0.5))
+def test_what_follows_a_pause_bends_nothing_until_half_a_second_before_it(
+    found: list[LipSegment], others: list[LipSegment], pause: float
+) -> None:
+    """In the pause the mouth rests, or takes a breath."""
+    end = found[-1].end
+    breath = LipSegment(SILENCE, end, end + pause, {JAW: 0.3})
+    after = [replace(s, start=s.start + end + pause, end=s.end + end + pause) for s in others]
+    times = np.arange(-0.5, end - HELD, 0.01)
+    assert curve([*found, breath, *after], times) == pytest.approx(curve(found, times), abs=1e-9)
+
+
+def test_a_part_of_the_curve_is_the_same_whatever_follows_the_pause_at_its_end() -> None:
+    times = np.arange(PART - 1.0, PART, 0.01)
+    said = segment("AA", PART - 2.0, PART + HELD + 0.1, 0.7)
+    after = segment("AA", said.end + 0.3, said.end + 0.6, 1.0, 0.1)
+    assert curve([said, after], times) == pytest.approx(curve([said], times), abs=1e-9)

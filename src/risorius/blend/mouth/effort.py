@@ -14,13 +14,18 @@ The curve is linear in the targets, and the shares of the segments sum to 1; a s
 precise segment. It is found by finite elements: cubic pieces that join with their slope, on nodes at the ends
 of the windows and at most `ELEMENT` apart; one banded system per group of parameters, with each value of the
 segments as a right side.
+
+What follows a pause does not bend the curve up to `HELD` before the pause: there it is the curve of segments
+after which the mouth rests. So a part of the system has a stretch for each pause: the elements from `HELD`
+before the one before it on.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -30,7 +35,7 @@ from ...core.arrays import Array, IndexArray
 from ...core.movement import LipSegment
 from ...core.utterance import SILENCE
 from ..intervals import ranges
-from ..knots import Knots, parts
+from ..knots import parts
 from .coarticulation import LIP_MODELS, ParameterGroups, SegmentValues, SegmentWeights, SharedMappings
 
 EFFORT = 5e-7
@@ -47,6 +52,11 @@ REST = 1e-9
 """The precision of rest at all times: where no segment holds an articulator, it rests."""
 REACH = 1.0
 """Seconds after which a segment has no effect: 38 time constants of a vowel's turn."""
+PAUSE, HELD, RESTED = 0.16, 0.5, 0.12
+"""Seconds: the shortest pause without an in-breath that may be the end, longer than that of a comma; how long
+before it the curve does not depend on what follows; how long a mouth rests that nothing follows."""
+SHIFT, APART = 256.0, 100.0
+"""Seconds from one stretch to the next in the elements of a part; how far apart their nodes are at least."""
 PART = 32.0
 """Seconds: the curve is found in parts of so long, each with the segments within `REACH`: the value at a
 time must not depend on which other times are requested."""
@@ -75,9 +85,11 @@ class _Windows(NamedTuple):
 class _Elements:
     """The elements of one part.
 
-    `near` (segments,): numbers of the segments with an effect there; `nodes` (n,): times; `segment`,
-    `element` (m,): which of these segments has a window over which element; `length` (n - 1,) seconds;
-    `bending` (4, 2 n): the lower bands of the effort.
+    `near` (segments,): numbers of the segments with an effect there, stretch by stretch; `nodes` (n,): times;
+    `segment`, `element` (m,): which of these segments has a window over which element; `length` (n - 1,)
+    seconds; `bending` (4, 2 n): the lower bands of the effort. Up to `ends` (stretches,) the curve is that of
+    each stretch, all of whose times are later by `shifts` (stretches,) seconds than they are. `between`
+    (stretches - 1,): the numbers of the elements that would join two stretches, without weight or effort.
     """
 
     near: IndexArray
@@ -86,6 +98,9 @@ class _Elements:
     element: IndexArray
     length: Array
     bending: Array
+    ends: Array
+    shifts: Array
+    between: IndexArray
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,6 +164,8 @@ class EffortModel:
         self._starts = np.array([s.start for s in segments])
         self._ended = np.maximum.accumulate(np.array([s.end for s in segments]))
         self._windows = _windows(segments)
+        # Only of segments after which the mouth rests is it known how they end.
+        self._pauses = _pauses(segments) if _is_silent(segments[-1]) else np.zeros(0, np.intp)
         self._groups = ParameterGroups(self._precision)
         self._elements = lru_cache(maxsize=CACHED)(self._elements_of)
         self._system = lru_cache(maxsize=CACHED * GROUPS)(self._system_of)
@@ -195,8 +212,7 @@ class EffortModel:
         latest = self._latest
         if latest is None or latest[0] is not times:
             bases = (
-                _basis(part, place, self._elements(part).nodes, times[place])
-                for part, place in parts(times, PART)
+                _basis(part, place, self._elements(part), times[place]) for part, place in parts(times, PART)
             )
             latest = self._latest = (times, tuple(bases))
         return latest[1]
@@ -215,33 +231,92 @@ class EffortModel:
 
     def _elements_of(self, part: int) -> _Elements:
         """Return the elements of a part, and of `REACH` around it."""
-        begin = int(np.searchsorted(self._ended, part * PART - REACH, side="left"))
-        end = int(np.searchsorted(self._starts, (part + 1) * PART + REACH, side="right"))
-        begin = min(begin, len(self._starts) - 1)
-        near = np.arange(begin, max(end, begin + 1))
+        start, stop = part * PART, (part + 1) * PART
         # A window that goes on for long has no more elements than others: far from its ends nothing bends.
-        felt = (part * PART - LONGEST, (part + 1) * PART + LONGEST)
-        return _elements(near, *(np.clip(edges[near], *felt) for edges in self._windows))
+        felt = (start - LONGEST, stop + LONGEST)
+        near: list[IndexArray] = []
+        rests: list[tuple[int, float]] = []
+        ends, reach = [], REACH
+        for pause, end in self._ends_within(start, stop):
+            numbers = self._near(start - reach, end + REACH)
+            if pause is not None:
+                # The mouth rests, as after all segments.
+                numbers = np.append(numbers[: pause - numbers[0]], len(self._starts) - 1)
+                rests.append((sum(map(len, near)) + len(numbers) - 1, self._starts[pause] + YIELDING))
+            near.append(numbers)
+            ends.append(end)
+            start, reach = end, HELD
+        numbers = np.concatenate(near)
+        first, last = (np.clip(edges[numbers], *felt) for edges in self._windows)
+        for place, rest in rests:
+            first[place], last[place] = rest, rest + RESTED
+        shifts = SHIFT * np.arange(len(near), dtype=np.float64)
+        shifted = np.repeat(shifts, [len(own) for own in near])
+        return _elements(numbers, first + shifted, last + shifted, np.array(ends), shifts)
+
+    def _ends_within(self, start: float, stop: float) -> Iterator[tuple[int | None, float]]:
+        """Yield the pauses by which a part is divided, and until when the curve does not depend on what
+        follows each; in the end the part's end, with the next pause if that is near.
+        """
+        ends = self._starts[self._pauses] - HELD
+        first, last = np.searchsorted(ends, (start, stop), side="right")
+        yield from zip(self._pauses[first:last].tolist(), ends[first:last].tolist(), strict=True)
+        near = last < len(ends) and ends[last] + HELD < stop + REACH
+        yield int(self._pauses[last]) if near else None, stop
+
+    def _near(self, start: float, end: float) -> IndexArray:
+        """Return the numbers of the segments between two times, at least one."""
+        begin = int(np.searchsorted(self._ended, start, side="left"))
+        stop = int(np.searchsorted(self._starts, end, side="right"))
+        begin = min(begin, len(self._starts) - 1)
+        return np.arange(begin, max(stop, begin + 1))
+
+
+def _pauses(segments: Sequence[LipSegment]) -> IndexArray:
+    """Return the numbers of the silences after speech that may be its end."""
+    numbers = [
+        number
+        for number, (before, segment) in enumerate(pairwise(segments), 1)
+        if segment.phone == SILENCE != before.phone
+        and (segment.targets or segment.end - segment.start >= PAUSE)
+    ]
+    return np.array(numbers, dtype=np.intp)
+
+
+def _is_silent(segment: LipSegment) -> bool:
+    return segment.phone == SILENCE and not segment.targets
 
 
 def _windows(segments: Sequence[LipSegment]) -> _Windows:
     start, end = (np.array([getattr(s, name) for s in segments]) for name in ("start", "end"))
-    silent = np.array([s.phone == SILENCE and not s.targets for s in segments])
+    silent = np.array([_is_silent(s) for s in segments])
     given_up = np.where(silent, YIELDING, 0.5 * (1.0 - WINDOW) * (end - start))
     return _Windows(start + given_up, np.maximum(end - given_up, start + given_up))
 
 
-def _elements(near: IndexArray, start: Array, end: Array) -> _Elements:
-    """Return the elements for the windows of some segments, from `start` to `end`, shape (segments,) each."""
+def _elements(near: IndexArray, start: Array, end: Array, ends: Array, shifts: Array) -> _Elements:
+    """Return the elements for the windows of some segments, from `start` to `end`, shape (segments,) each.
+
+    Those of each stretch are shifted by its `shifts` seconds.
+    """
     edges = np.unique(np.concatenate((start, end)))
     edges = edges[np.append(True, np.diff(edges) > NEAREST)]
     if len(edges) == 1:
         edges = np.append(edges, edges + ELEMENT)
-    nodes = Knots(edges, ELEMENT).between(edges[0], edges[-1])
+    width = np.diff(edges)
+    counts = np.maximum(np.ceil(width / ELEMENT - 1e-6), 1.0).astype(np.intp)
+    counts[width > APART] = 1
+    steps = np.arange(int(counts.sum())) - np.repeat(np.cumsum(counts) - counts, counts)
+    nodes = np.append(np.repeat(edges[:-1], counts) + steps * np.repeat(width / counts, counts), edges[-1])
     first, last = (np.searchsorted(nodes, t + 0.5 * NEAREST, side="right") - 1 for t in (start, end))
-    segment, element = ranges(np.maximum(first, 0), np.maximum(last, 0))
     h = np.diff(nodes)
-    return _Elements(near, nodes, segment, element, h, EFFORT * _bands(_BENDING, h**-3, h))
+    between = np.flatnonzero(h > APART)
+    h[between] = ELEMENT
+    stiffness = h**-3
+    stiffness[between] = 0.0
+    segment, element = ranges(np.maximum(first, 0), np.maximum(last, 0))
+    bending = EFFORT * _bands(_BENDING, stiffness, h)
+    return _Elements(near, nodes, segment, element, h, bending, ends, shifts, between)
 
 
 def _bands(local: Array, value: Array, h: Array) -> Array:
@@ -262,6 +337,7 @@ def _matrix(elements: _Elements, precision: Array) -> Array:
     """Return the lower bands of the system, shape (4, unknowns)."""
     h = elements.length
     total = REST + np.bincount(elements.element, precision[elements.segment], len(h))
+    total[elements.between] = 0.0
     return elements.bending + _bands(_MASS, total * h, h)
 
 
@@ -276,11 +352,15 @@ def _loads(elements: _Elements, pulls: Array) -> Array:
     return loads
 
 
-def _basis(part: int, place: slice, nodes: Array, times: Array) -> _Basis:
-    """Return the basis at some times; curves are constant before the first and after the last node."""
-    inside = np.clip(times, nodes[0], nodes[-1])
-    element = np.clip(np.searchsorted(nodes, inside, side="right") - 1, 0, len(nodes) - 2)
-    h = nodes[element + 1] - nodes[element]
+def _basis(part: int, place: slice, elements: _Elements, times: Array) -> _Basis:
+    """Return the basis at sorted times; curves are constant before the first and after the last node."""
+    nodes, between = elements.nodes, elements.between
+    stretch = np.searchsorted(elements.ends[:-1], times, side="left")
+    first, last = np.append(0, between + 1), np.append(between, len(nodes) - 1)
+    inside = np.clip(times + elements.shifts[stretch], nodes[first][stretch], nodes[last][stretch])
+    element = np.searchsorted(nodes, inside, side="right") - 1
+    element = np.minimum(element, last[stretch] - 1)
+    h = elements.length[element]
     x = (inside - nodes[element]) / h
     shapes = (
         1.0 - x * x * (3.0 - 2.0 * x),
