@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..core.arrays import Array
+from ..core.parameters import INDEX
 from ..core.pcm import check_rate, samples_of
 from .low_pitch import LowPitch
 
@@ -91,3 +92,11 @@ def nod_pitch(seconds: float) -> float:
     if not 0.0 <= seconds < NOD_SECONDS:
         return 0.0
     return float(NOD_DEGREES * np.sin(np.pi * seconds / NOD_SECONDS) ** 2)
+
+
+def nodded(values: Array, nod: float) -> Array:
+    """Return the values of a frame with the head turned by a nod's degrees; the eyes stay where they look."""
+    values = values.copy()
+    values[INDEX["head_pitch"]] += nod
+    values[INDEX["gaze_pitch"]] -= nod
+    return values

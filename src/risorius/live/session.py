@@ -19,7 +19,6 @@ from ..channels.eye_head import Angles
 from ..channels.gaze import LISTENER
 from ..core.arrays import Array
 from ..core.frame_rate import parse_fps
-from ..core.parameters import INDEX
 from ..errors import InputError, ParameterError, UnreadError, check_number, unknown
 from ..pipeline import with_profile
 from ..rules.emotions import Displays, emotion_names
@@ -28,7 +27,7 @@ from .beside import performer_beside
 from .frame import LiveFrame
 from .idle import IDLE_SECONDS, idle_take
 from .joining import Joining, join_later, lead_on_later
-from .listening import PauseListener, nod_pitch
+from .listening import PauseListener, nod_pitch, nodded
 from .looking import Looking, direction_of
 from .pace import Pace
 from .performer import (
@@ -63,7 +62,6 @@ TURNED = 2.0
 # Seconds without new text after which the last sentence counts as whole.
 PATIENCE = 1.0
 _SAMPLE_RATE = 22_050
-_HEAD_PITCH, _EYE_PITCH = INDEX["head_pitch"], INDEX["gaze_pitch"]
 
 
 class Live:
@@ -71,10 +69,9 @@ class Live:
 
     No clock takes part unless frames are paced: `frames` yields the next frame when asked, and a frame
     depends on the text and on the frames at which it arrived, not on how it was cut. Text may come from
-    another thread than the one that asks for frames. Sentences that are there when a turn begins, and those
-    that come .9 s before it ends, are performed together as `speak` performs their text; the latter while the
-    turn plays, in another thread, or for paced frames in another process. `perform` performs them. With
-    `arkit` each frame has the weights of ARKit's shapes as well; raises HeadError if the head has none.
+    another thread than the one that asks for frames. Sentences that are whole .9 s before the end of what is
+    said are performed with it, as `speak` does: in another thread, for paced frames in another process.
+    `arkit`: each frame has the weights of ARKit's shapes; raises HeadError if the head has none.
     """
 
     def __init__(
@@ -273,10 +270,7 @@ class Live:
         sound[: len(heard)] = heard
         self._next, self._last = index + 1, values
         if self._nod_from is not None and (nod := nod_pitch(float((index - self._nod_from) / fps))):
-            # The eyes stay on whom they look at.
-            values = values.copy()
-            values[_HEAD_PITCH] += nod
-            values[_EYE_PITCH] -= nod
+            values = nodded(values, nod)
         values = self._looking.shown(values, index)
         text = stretch.sentence_at(float((index - stretch.first) / fps))
         speaking = bool(stretch.sentences)
