@@ -116,13 +116,13 @@ class _System:
     factor: Array
     solutions: dict[SegmentValues, Array] = field(default_factory=dict)
 
-    def solution(self, values: SegmentValues) -> Array:
-        """Return the unknowns for values of the segments; if two threads need them, both compute them."""
-        solution = self.solutions.get(values)
-        if solution is None:
-            (solution,) = self.solve(values[self.elements.near][np.newaxis])
-            self.solutions[values] = solution
-        return solution
+    def solved(self, values: Sequence[SegmentValues]) -> list[Array]:
+        """Return the unknowns for each of some values; if two threads need them, both compute them."""
+        new = [value for value in values if value not in self.solutions]
+        if new:
+            unknowns = self.solve(np.stack([value[self.elements.near] for value in new]))
+            self.solutions.update(zip(new, unknowns, strict=True))
+        return [self.solutions[value] for value in values]
 
     def solve(self, values: Array) -> Array:
         """Return the unknowns for k values of each segment, (k, segments) -> (k, unknowns)."""
@@ -134,20 +134,20 @@ class _System:
 class _Basis(NamedTuple):
     """Sorted times (n,) of one part: their `place` among others, and the cubics that are not 0 at each.
 
-    `first` (n,): the first of the four unknowns that matter; `shapes`: how much each of them counts, (n,)
-    each.
+    `unknowns`: the numbers of the four unknowns that matter, (n,) each; `shapes`: how much each of them
+    counts, likewise.
     """
 
     part: int
     place: slice
-    first: IndexArray
+    unknowns: tuple[IndexArray, ...]
     shapes: tuple[Array, ...]
 
     def curve(self, solution: Array) -> Array:
         """Return the curve of a solution at the times, (unknowns,) or (k, unknowns) -> (n,) or (k, n)."""
         curve: Array = np.zeros(())
-        for number, shape in enumerate(self.shapes):
-            curve = curve + shape * np.take(solution, self.first + number, axis=-1)
+        for numbers, shape in zip(self.unknowns, self.shapes, strict=True):
+            curve = curve + shape * np.take(solution, numbers, axis=-1)
         return curve
 
 
@@ -185,8 +185,8 @@ class EffortModel:
         averages = np.empty((len(values), len(times)))
         for basis in self._bases(times):
             system = self._system(group, basis.part)
-            for average, value in zip(averages, values, strict=True):
-                average[basis.place] = basis.curve(system.solution(value))
+            for average, solution in zip(averages, system.solved(values), strict=True):
+                average[basis.place] = basis.curve(solution)
         averages /= GRAIN
         np.rint(averages, out=averages)
         averages *= GRAIN
@@ -345,10 +345,11 @@ def _loads(elements: _Elements, pulls: Array) -> Array:
     """Return the right sides, (k, unknowns), for the segments' precision times value, (k, segments)."""
     h = elements.length
     loads = np.zeros((len(pulls), 2 * len(elements.nodes)))
+    sizes = [_LOAD[row] * h ** (1 + row % 2) for row in range(4)]
     for load, own in zip(loads, pulls, strict=True):
         pull = np.bincount(elements.element, own[elements.segment], len(h))
-        for row in range(4):
-            load[row : row + 2 * len(h) : 2] += pull * (_LOAD[row] * h ** (1 + row % 2))
+        for row, size in enumerate(sizes):
+            load[row : row + 2 * len(h) : 2] += pull * size
     return loads
 
 
@@ -368,4 +369,4 @@ def _basis(part: int, place: slice, elements: _Elements, times: Array) -> _Basis
         x * x * (3.0 - 2.0 * x),
         -h * x * x * (1.0 - x),
     )
-    return _Basis(part, place, 2 * element, shapes)
+    return _Basis(part, place, tuple(2 * element + number for number in range(len(shapes))), shapes)
