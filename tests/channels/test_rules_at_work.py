@@ -130,6 +130,14 @@ def test_listeners_nod_and_blink_back(sentence_of: Maker) -> None:
     assert not by_rule(movements(said, "regulators."), "regulators.nod.listening")
 
 
+@pytest.mark.parametrize("seed", [94, 132, 147])
+def test_two_blinks_that_begin_with_the_same_phoneme_are_one(seed: int, sentence_of: Maker) -> None:
+    """Two of one layer that start together cannot be performed."""
+    said = sentence_of("Mayonnaise, mayonnaise and mayonnaise again. We will see.", tail=3.0)
+    found = movements(said, "regulators.lids", listening=((0.1, said.duration),), seed=seed)
+    assert by_rule(found, "regulators.lids.listening")
+
+
 def test_related_utterances_share_a_head_pattern(sentence_of: Maker) -> None:
     said = sentence_of("One two. Three four. Five six.")
     found = by_rule(movements(said, "regulators.head"), "regulators.head.pattern")

@@ -35,6 +35,7 @@ def movements_of_rules(inputs: ChannelInputs, context: Context) -> Iterator[Move
     """Yield the movements of a channel's events; looks are left to the gaze."""
     boundaries = inputs.units.boundaries
     events = [event for event in context.events if event.rule.channel == context.name]
+    blinks: set[tuple[str, float]] = set()
     for event, following in zip(events, _following_gestures(events), strict=True):
         if event.targets:
             yield _held(event)
@@ -43,7 +44,7 @@ def movements_of_rules(inputs: ChannelInputs, context: Context) -> Iterator[Move
         if event.rule.effect.blink is not None:
             own = context.numbers.under(event.rule.id, event.unit.phrase, event.unit.number)
             depth = event.rule.effect.blink * blink_depth(inputs.profile.blinks, own)
-            yield blink(
+            closing = blink(
                 context.name,
                 event.span.start,
                 depth,
@@ -52,6 +53,10 @@ def movements_of_rules(inputs: ChannelInputs, context: Context) -> Iterator[Move
                 _cause(event),
                 _layer(event),
             )
+            # Two that begin with the same phoneme are one.
+            if (closing.layer, closing.start) not in blinks:
+                blinks.add((closing.layer, closing.start))
+                yield closing
 
 
 def _cause(event: Event) -> Cause:
