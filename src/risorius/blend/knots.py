@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ..core.arrays import Array
+from ..core.arrays import Array, IndexArray
 from ..core.time import TICK
 
 BLOCK = 30.0
@@ -44,6 +44,11 @@ def block_knots(knots: Knots, number: int, margin: float) -> Array:
     return knots.between(number * BLOCK - margin, (number + 1) * BLOCK + margin)
 
 
+def steps_between(edges: Array, step: float) -> IndexArray:
+    """Return into how many steps, none longer than `step`, each stretch between edges (n,) is divided."""
+    return np.maximum(np.ceil(np.diff(edges) / step - 1e-6), 1.0).astype(np.intp)
+
+
 class Knots:
     """Edges, shape (n,), sorted and distinct, with knots at most `step` seconds apart between them.
 
@@ -54,7 +59,7 @@ class Knots:
         long = np.flatnonzero(np.diff(edges) > 2.0 * reach + step)
         quiet = edges[long] + reach
         self.edges = np.sort(np.concatenate((edges, quiet, edges[long + 1] - reach)))
-        self._counts = np.maximum(np.ceil(np.diff(self.edges) / step - 1e-6), 1.0).astype(np.intp)
+        self._counts = steps_between(self.edges, step)
         self._counts[np.searchsorted(self.edges, quiet)] = 1
 
     def between(self, start: float, stop: float) -> Array:

@@ -35,7 +35,7 @@ from ...core.arrays import Array, IndexArray
 from ...core.movement import LipSegment
 from ...core.utterance import SILENCE
 from ..intervals import ranges
-from ..knots import parts
+from ..knots import parts, steps_between
 from .coarticulation import LIP_MODELS, ParameterGroups, SegmentValues, SegmentWeights, SharedMappings
 
 EFFORT = 5e-7
@@ -304,7 +304,7 @@ def _elements(near: IndexArray, start: Array, end: Array, ends: Array, shifts: A
     if len(edges) == 1:
         edges = np.append(edges, edges + ELEMENT)
     width = np.diff(edges)
-    counts = np.maximum(np.ceil(width / ELEMENT - 1e-6), 1.0).astype(np.intp)
+    counts = steps_between(edges, ELEMENT)
     counts[width > APART] = 1
     steps = np.arange(int(counts.sum())) - np.repeat(np.cumsum(counts) - counts, counts)
     nodes = np.append(np.repeat(edges[:-1], counts) + steps * np.repeat(width / counts, counts), edges[-1])
