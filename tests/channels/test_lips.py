@@ -287,6 +287,15 @@ def test_the_breath_opens_lips_and_jaw_and_is_over_before_the_first_phone() -> N
     assert 0.12 <= pausing.breath_end <= 0.15
 
 
+def test_the_lips_stay_round_through_a_breath_between_rounded_words(utterance_of) -> None:
+    breath, vowel = segments(utterance_of("UW", lead=0.3))[:2]
+    model = EffortModel([replace(vowel, start=-0.1, end=0.0), breath, vowel])
+    inhaling = np.linspace(breath.start, breath.end, 20)
+    for name in ("lip_width", "lip_protrusion"):
+        ours = model.averages(model.group(name), [SegmentValues(model.targets(name))], inhaling)[0]
+        assert (ours / vowel.targets[name]).min() > 0.6
+
+
 def test_articulation_moves_the_opening_most(utterance_of) -> None:
     utterance = utterance_of("AO")
     wide, plain = (next(s for s in segments(utterance, articulation=a) if s.phone) for a in (1.3, 1.0))
