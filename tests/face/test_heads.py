@@ -19,7 +19,7 @@ PIERCED = 0.3
 OVERSHOOT, EXACT = 2.5, 0.995
 # One corner of the mouth up, the other side of the lower lip down: the last places to close.
 ASKEW = {"zygomatic_major.left": 0.93, "zygomatic_major.right": 0.5, "depressor_labii.left": 0.96}
-TH = {"masseter": 0.11, "depressor_labii": 0.25, "tongue_out": 1.0}
+TH = {"masseter": 0.11, "depressor_labii": 0.25, "tongue_up": 0.15, "tongue_out": 1.0}
 HEADS = shipped_heads()
 AGED = [("standard", 50), ("standard", 75), ("amara", 75), ("mei", 90), ("olaf", 25), ("kenji", 25)]
 DAILY = [("amara", 75)]

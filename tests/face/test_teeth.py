@@ -25,7 +25,7 @@ EMOTIONS = ("happiness", "sadness", "anger", "disgust", "fear", "surprise")
 PHONES = {
     "closure": {"masseter": 0.1, "lip_seal": 1.0},
     "f": {"masseter": 0.08, "lip_tuck": 1.0},
-    "th": {"masseter": 0.12, "tongue_out": 1.0, "depressor_labii": 0.2},
+    "th": {"masseter": 0.12, "tongue_up": 0.15, "tongue_out": 1.0, "depressor_labii": 0.2},
     "l": {"masseter": 0.15, "tongue_up": 1.0, "depressor_labii": 0.25},
     "o": {"masseter": 0.45, "orbicularis_oris_funneler": 0.45},
     "a": {"masseter": 0.5, "depressor_labii": 0.2, "tongue_back": 0.5},
