@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from risorius import blend
 from risorius.blend.mouth.contact import SEAL, TUCK, GoalCurve, contact_goals
 from risorius.blend.mouth.tradeoffs import tradeoffs
+from risorius.core.articulators import PROTRUSION
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX
 from risorius.core.score import BlendSettings, Score
@@ -71,6 +72,12 @@ class TestGoals:
     def test_a_tuck_between_closures_is_full_at_its_middle_at_least(self) -> None:
         _, tuck = curves(sealed(1.0, 1.1), tucked(1.1, 1.15), sealed(1.15, 1.2))
         assert tuck[between(1.1249, 1.1251)].max() == pytest.approx(1.0, abs=1e-9)
+
+    def test_the_lip_leaves_the_teeth_earlier_if_the_upper_one_is_forward(self) -> None:
+        around = (sealed(1.0, 1.05), rounded(1.1, 1.16), tucked(1.16, 1.2), sealed(1.2, 1.3))
+        (tuck,) = (goal for goal in contact_goals(around) if goal.contact == TUCK)
+        forward = tradeoffs().rounding.remaining * around[1].targets[PROTRUSION]
+        assert (1.2 - tuck.end) * tradeoffs().opening.fastest == pytest.approx(tradeoffs().tuck.gap + forward)
 
     def test_a_tuck_without_room_is_given_up(self) -> None:
         _, tuck = curves(sealed(1.0, 1.1), tucked(1.1, 1.12), sealed(1.12, 1.2))

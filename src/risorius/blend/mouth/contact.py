@@ -52,7 +52,7 @@ def contact_goals(segments: Sequence[LipSegment]) -> tuple[Goal, ...]:
     seals = _closures(segments, SEAL)
     tucks = []
     for tuck in _closures(segments, TUCK):
-        fitted = _fit(tuck, _late(tuck, segments), seals)
+        fitted = _fit(tuck, _late(tuck, segments), _forward(tuck, segments), seals)
         if fitted is not None:
             tucks.append(fitted)
     return tuple(sorted((*seals, *tucks), key=lambda g: (g.start, g.end, g.contact)))
@@ -90,21 +90,30 @@ def _late(tuck: Goal, segments: Sequence[LipSegment]) -> tuple[float, float]:
     return start, end
 
 
+def _forward(tuck: Goal, segments: Sequence[LipSegment]) -> float:
+    """Return how far, mm, the phones beside a tuck keep the upper lip forward."""
+    beside = segments[max(tuck.segment - 1, 0) : tuck.segment + 2]
+    return tradeoffs().rounding.remaining * max(max(s.targets.get(PROTRUSION, 0.0), 0.0) for s in beside)
+
+
 def _is_rounded(segment: LipSegment) -> bool:
     return segment.targets.get(PROTRUSION, 0.0) > 0.0
 
 
-def _fit(tuck: Goal, wanted: tuple[float, float], seals: list[Goal]) -> Goal | None:
-    """Place a tuck between the seals around it, at `wanted` if possible; their ramps shorten in place."""
+def _fit(tuck: Goal, wanted: tuple[float, float], forward: float, seals: list[Goal]) -> Goal | None:
+    """Place a tuck between the seals around it, at `wanted` if possible; their ramps shorten in place.
+
+    The lips meet across its gap and across what the upper lip is `forward`, mm.
+    """
     table = tradeoffs().tuck
     right = bisect_right(seals, _middle(tuck), key=_middle)
     left = right - 1
     free_from = seals[left].end if left >= 0 else -np.inf
     free_to = seals[right].start if right < len(seals) else np.inf
-    room = free_to - free_from
-    least = table.gap / tradeoffs().opening.fastest
-    if room < 2.0 * least:
+    room, fastest = free_to - free_from, tradeoffs().opening.fastest
+    if room < 2.0 * table.gap / fastest:
         return None
+    least = min((table.gap + forward) / fastest, room / 2.0)
     middle = min(max(_middle(tuck), free_from + least), free_to - least)
     start = min(max(wanted[0], free_from + table.ramp), middle)
     end = max(min(wanted[1], free_to - table.ramp), middle)
