@@ -103,6 +103,8 @@ def test_lashes_point_out_of_the_eye(head, surface):
     assert ((unit(curves[:, -1] - curves[:, 0]) * out).sum(axis=1) > 0.25).all()
     distance = np.linalg.norm(curves[:, 0] - head.eye_centre[side], axis=1)
     assert np.abs(distance - head.eye_radius[side]).max() < 4
+    lengths = np.linalg.norm(np.diff(curves, axis=1), axis=2).sum(axis=1)[:20]
+    assert lengths[-3:].max() < 0.75 * lengths.max()  # at the outer corner they stand out beyond the face
 
 
 def test_the_same_hairs_grow_every_time(anatomy, surface):
@@ -182,6 +184,8 @@ def test_hair_begins_with_fine_short_hairs(anatomy, surface, style):
         np.percentile(inside_hairline(anatomy, curves_in_head(surface, h)[:, 0]), 2) for h in (fine, hair)
     ]
     assert first[0] < first[1]
+    outermost = inside_hairline(anatomy, curves[:, 0]) < 1.0
+    assert fine.colours[outermost].mean() > 2.0 * fine.colours[~outermost].mean()  # else each is a dash
     back = curves[:, -1] - curves[:, 0]
     assert ((back[:, 2] < 0) | (np.abs(back[:, 0]) > np.abs(back[:, 1]))).mean() > 0.95
 

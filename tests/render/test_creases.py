@@ -15,6 +15,7 @@ from risorius.face.regions import place_regions, region_names
 from risorius.face.solve import FaceSolver
 from risorius.looks.head_model import head_model
 from risorius.render.creases import DIMPLES, FOLD, FURROW, KIND, SHARE, lay_creases
+from risorius.render.materials.folds import _ridge
 from risorius.render.software_renderer import SoftwareRenderer
 
 SIDE = 720
@@ -102,3 +103,11 @@ def test_the_same_frame_gives_the_same_bytes(renderer, surprised):
     bare = replace(surprised, wrinkles=np.zeros_like(surprised.wrinkles))
     renderer.render(bare)
     np.testing.assert_array_equal(first, renderer.render(surprised))
+
+
+def test_a_frown_is_a_soft_fold_and_no_scratch():
+    """Its bottom is round: beside it the slope rises to a side that is lit, not at once."""
+    furrow, spacing, fine = np.float32(2.4), np.float32(9.0), np.float32(0.05)
+    slopes = {d: _ridge(np.float32(d), spacing, furrow, fine)[0] for d in (-0.7, 0.1, 0.7)}
+    assert slopes[-0.7] == pytest.approx(-slopes[0.7])
+    assert slopes[0.1] < 0.5 * slopes[0.7]

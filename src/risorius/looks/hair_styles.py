@@ -15,28 +15,29 @@ from .hairline import grow_hairline
 from .kept_hairs import kept_hairs
 from .medium_hair import grow_medium
 from .short_hair import grow_short
+from .srgb import linear
 from .strands import Strands
 from .stubble import grow_stubble
 from .surface import Surface
 
 _Grow: TypeAlias = Callable[[Anatomy, Surface, Array, int], Strands]
-# What grows on a head of each style, by the name of its part.
-_STYLES: dict[str, dict[str, _Grow]] = {
-    "short": {"hair": grow_short, "hairline": grow_hairline},
-    "medium": {"hair": grow_medium, "hairline": grow_hairline},
-    "shaved": {"hair": grow_stubble},
-}
+_STYLES: dict[str, _Grow] = {"short": grow_short, "medium": grow_medium, "shaved": grow_stubble}
+_EDGED = ("short", "medium")  # styles that begin with fine hairs
 
 
 def grow_hair(anatomy: Anatomy, surface: Surface, colour: Array, looks: Looks) -> dict[str, Strands]:
     """Return the hair by part in the style of `looks`, of linear albedo `colour` (3,): none if bald."""
-    inputs = [*grown_on(anatomy, surface), colour, np.asarray(looks.hairs)]
-    return {
-        name: kept_hairs(
-            f"{name}-{looks.hair_style}", inputs, partial(grow, anatomy, surface, colour, looks.hairs)
-        )
-        for name, grow in _STYLES.get(looks.hair_style, {}).items()
-    }
+    style, count = looks.hair_style, looks.hairs
+    if style not in _STYLES:
+        return {}
+    inputs = [*grown_on(anatomy, surface), colour, np.asarray(count)]
+    grow = partial(_STYLES[style], anatomy, surface, colour, count)
+    grown = {"hair": kept_hairs(f"hair-{style}", inputs, grow)}
+    if style in _EDGED:
+        skin = linear(looks.skin)
+        edge = partial(grow_hairline, anatomy, surface, colour, skin, count)
+        grown["hairline"] = kept_hairs(f"hairline-{style}", [*inputs, skin], edge)
+    return grown
 
 
 def grown_on(anatomy: Anatomy, surface: Surface) -> list[AnyArray]:

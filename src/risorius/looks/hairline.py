@@ -16,10 +16,15 @@ POINTS = 4
 _SEED = 57
 _SHARE = 0.11
 _WIDTH = 0.2  # mm at the root
+_FAINT = 0.75  # share of the skin in the colour of the outermost
 
 
-def grow_hairline(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -> Strands:
-    """Return hairs of linear albedo `colour` (3,); `count` is how many hairs a short style has."""
+def grow_hairline(anatomy: Anatomy, surface: Surface, colour: Array, skin: Array, count: int) -> Strands:
+    """Return hairs of linear albedo `colour` (3,), over that of `skin` (3,).
+
+    `count` is how many hairs a short style has. Hairs are finer than a pixel towards the edge: they take
+    more of the skin's colour there, or each would be a dash.
+    """
     count = round(_SHARE * count)
     rng = np.random.default_rng(_SEED)
     u = anatomy.unit
@@ -41,13 +46,14 @@ def grow_hairline(anatomy: Anatomy, surface: Surface, colour: Array, count: int)
         curves.append(place + (wanted - above)[:, None] * normal)
     way = np.linspace(0.0, 1.0, POINTS)
     widths = _WIDTH * (0.5 + 0.5 * within)[:, None] * (1.0 - 0.8 * way**1.5)
-    shade = (0.8 + 0.4 * rng.random(count)) * (1.7 - 0.7 * within)
+    shade = ((0.8 + 0.4 * rng.random(count)) * (1.7 - 0.7 * within))[:, None] * colour
+    shade += (_FAINT * (1.0 - within) ** 2)[:, None] * (skin - shade)
     return surface.root(
         triangles,
         weights,
         np.stack(curves, axis=1),
         widths,
-        shade[:, None] * colour,
+        shade,
         np.full(count, 0.1),
         0.6,
     )
@@ -56,6 +62,6 @@ def grow_hairline(anatomy: Anatomy, surface: Surface, colour: Array, count: int)
 def _density(anatomy: Anatomy, surface: Surface) -> Array:
     """Return the density (n,) of these hairs at the skin's vertices, a band before the ears."""
     within = inside_hairline(anatomy, surface.points)
-    band = smoothstep(-1.5, 6.0, within) * (1.0 - smoothstep(6.0, 13.0, within))
+    band = smoothstep(-1.5, 6.0, within) ** 1.5 * (1.0 - smoothstep(6.0, 13.0, within))
     front = smoothstep(-60.0 * anatomy.unit, -30.0 * anatomy.unit, surface.points[:, 2])
     return band * front * (1.0 - smoothstep(0.05, 0.3, anatomy.masks["ears"]))

@@ -14,14 +14,14 @@ _SEED = 11
 
 
 def grow_lashes(
-    head: Head, surface: Surface, colour: Array, skin: Array, upper: int = 84, lower: int = 44
+    head: Head, surface: Surface, colour: Array, skin: Array, upper: int = 60, lower: int = 44
 ) -> Strands:
     """Return `upper` and `lower` lashes of linear albedo `colour` (3,) for each eye, over that of `skin`."""
     groups, faint = [], colour + 0.4 * (skin - colour)  # lower lashes are finer than a pixel
     for side in range(2):
         pairs = surface.points[head.lid_pairs[side]]
         rng = np.random.default_rng(_SEED)
-        groups.append(_row(surface, pairs[:, 0], head.eye_centre[side], upper, 6.8, 1.0, colour, rng))
+        groups.append(_row(surface, pairs[:, 0], head.eye_centre[side], upper, 6.0, 1.0, colour, rng))
         groups.append(_row(surface, pairs[:, 1], head.eye_centre[side], lower, 2.6, -1.0, faint, rng))
     return join(groups)
 
@@ -36,18 +36,18 @@ def _row(
     colour: Array,
     rng: np.random.Generator,
 ) -> Strands:
-    """Return one row along a margin (P, 3) mm: short at the nose, longest past the middle, fanned, curled."""
+    """Return one row along a margin (P, 3) mm: short at both ends, fanned, curled."""
     outward = 1.0 if centre[0] > 0 else -1.0
     line = margin[np.argsort(margin[:, 0] * outward, kind="stable")]
     place = np.clip(
-        0.10 + 0.90 * (np.arange(count) + 0.3 * rng.standard_normal(count)) / (count - 1), 0.06, 1.0
+        0.10 + 0.85 * (np.arange(count) + 0.3 * rng.standard_normal(count)) / (count - 1), 0.06, 0.96
     )
     at = place * (len(line) - 1)
     root = np.stack([np.interp(at, np.arange(len(line)), line[:, c]) for c in range(3)], axis=1)
-    length = longest * (0.3 + 0.7 * np.sin(np.pi * np.clip(0.05 + 0.72 * place, 0, 1)) ** 1.5)
+    length = longest * (0.25 + 0.75 * np.sin(np.pi * (0.06 + 0.9 * place**1.1)) ** 1.5)
     length *= 0.85 + 0.3 * rng.random(count)
     ahead = unit(root - centre)
-    fan = (place - 0.42) * 0.6 + rng.normal(0, 0.06, count)
+    fan = (place - 0.42) * 0.45 + rng.normal(0, 0.06, count)
     start = ahead + np.stack([outward * fan, np.full(count, -0.10 * up), np.zeros(count)], axis=1)
     way = np.linspace(0.0, 1.0, POINTS)
     curl = np.array([0.0, up * (1.05 if up > 0 else 0.75), 0.0])

@@ -13,6 +13,7 @@ from .patch import Corners
 
 _CELLS = f4(6.5)  # cells of the grain to one of its waves
 _STEEPEST = f4(1.1)
+_ROUND = f4(0.32)  # of the furrow's width: half of its round bottom
 
 
 @fast_device
@@ -103,13 +104,15 @@ def _ridge(d: float, spacing: float, furrow: float, blur: float) -> tuple[float,
     """Return the slope (1/mm) `d` mm from a crease of unit height with round shoulders, and its darkness.
 
     h = 0.6·(1 − exp(−|d|/furrow)) + 0.4·sin²(πd/spacing): the tangent breaks at the crease (paper B) and
-    is softened over a pixel's width, so that no crease is thinner than a pixel.
+    is softened over a pixel's width, so that no crease is thinner than a pixel, and over a part of the
+    furrow's, so that it is a soft fold with a lit and a shaded side and not a line.
     """
-    sharp = math.sqrt(d * d + f4(0.35) * blur * blur + f4(0.01))
+    bottom = _ROUND * furrow
+    sharp = math.sqrt(d * d + f4(0.35) * blur * blur + bottom * bottom)
     wide = furrow * f4(0.45) + f4(0.4) * blur
     deep = math.exp(-sharp / wide)
     # Nothing is visible if a pixel covers a large part of the spacing.
-    seen = f4(1) - saturate((blur / spacing - f4(0.2)) * f4(4))
+    seen = f4(1) - saturate((blur / spacing - f4(0.15)) * f4(4))
     turn = math.pi * d / spacing
     rise = f4(0.6) * deep / wide * d / sharp + f4(0.4) * math.pi / spacing * math.sin(f4(2) * turn)
     return rise * seen, deep * seen

@@ -155,5 +155,7 @@ def edge_light(block: Float32Array, ambient: Float32Array) -> None:
         soft = get(block, SOFT, k)
         # A rough surface reflects less along its outline than a smooth one.
         edge = min(schlick(dot(soft, get(block, VIEW, k)), _FACING), f4(0.16))
-        edge *= block[OPENED + k] * block[STRENGTH + k]
+        # Below it are neck and body, of which nothing is mirrored.
+        above = f4(1) + min(soft[1], f4(0))
+        edge *= block[OPENED + k] * block[STRENGTH + k] * above * above
         put(block, SHINE, k, along(get(block, SHINE, k), ambient_on(around, soft, f4(1)), edge * f4(0.8)))
