@@ -93,7 +93,7 @@ class Take:
         check_number("time", time)
         names = NAMES if parameter is None else [p.name for p in parameters_named(parameter)]
         explanations = (explain(self._plan, time, name) for name in names)
-        return tuple(e for e in explanations if parameter is not None or e.winner is not None or e.losers)
+        return tuple(e for e in explanations if parameter is not None or e.is_seen)
 
     def reasons(self, time: float) -> tuple[str, ...]:
         """Return what `explain` says of all that moves at a time in seconds, in lines of words."""

@@ -78,7 +78,8 @@ def _lost(loser: Contribution, winner: Contribution | None, adds: bool) -> Contr
     if loser.reason or winner is None:
         return loser
     if adds or loser.on_top:
-        return replace(loser, reason="added" if adds else f"on top of {winner.what} ({winner.channel})")
+        reason = "added" if adds else f"on top of {winner.what} ({winner.channel})"
+        return replace(loser, reason=reason, added=adds)
     below = "below" if winner.on_top else "lower than"
     return replace(loser, reason=f"{below} {winner.what} ({winner.channel})")
 
@@ -104,7 +105,7 @@ def _turning(sample: PlanSample, name: str) -> Iterator[Contribution]:
         if abs(requested) > _LEAST:
             smaller = "added, made smaller by the others" if abs(applied) < abs(requested) - _LEAST else ""
             origin = _origin(sample, entry.channel, entry.curve)
-            yield replace(origin, requested=requested, applied=applied, reason=smaller)
+            yield replace(origin, requested=requested, applied=applied, reason=smaller, added=True)
         yield from _replaced(sample, entry.channel, entry.curve)
 
 

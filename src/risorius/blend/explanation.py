@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from ..core.movement import Cause
 from ..core.parameters import INDEX, PARAMETERS
 
+_PRINTED = 5e-4
+
 
 @dataclass(frozen=True, slots=True)
 class Contribution:
@@ -15,7 +17,8 @@ class Contribution:
 
     `label` names it, `cause` says why it exists. `requested` and `applied` are deviations from the
     parameter's neutral. `reason`: why less is applied than requested, or why it does not show; else "".
-    `on_top`: whether it adds to what the others leave.
+    `on_top`: whether it adds to what the others leave. `added`: whether it is added to the others, as all are
+    that turn head or eyes.
     """
 
     channel: str
@@ -26,6 +29,7 @@ class Contribution:
     applied: float
     reason: str = ""
     on_top: bool = False
+    added: bool = False
 
     @property
     def what(self) -> str:
@@ -44,6 +48,12 @@ class Explanation:
     losers: tuple[Contribution, ...]
     notes: tuple[str, ...]
 
+    @property
+    def is_seen(self) -> bool:
+        """Whether anything is requested or applied that is seen in the decimals that are printed."""
+        parts = (*self.losers, *(() if self.winner is None else (self.winner,)))
+        return any(max(abs(part.requested), abs(part.applied)) >= _PRINTED for part in parts)
+
     def __str__(self) -> str:
         """Return it in words, as the command line prints it."""
         value, *lines = reasons(self)
@@ -57,7 +67,7 @@ def reasons(explanation: Explanation) -> Iterator[str]:
     winner = explanation.winner
     yield _sentence(winner) if winner else "at rest"
     for loser in explanation.losers:
-        both = loser.on_top or (winner is not None and winner.on_top)
+        both = loser.on_top or loser.added or (winner is not None and winner.on_top)
         yield f"{'and' if both else 'not'} {_sentence(loser)}"
     yield from explanation.notes
 
@@ -65,6 +75,6 @@ def reasons(explanation: Explanation) -> Iterator[str]:
 def _sentence(contribution: Contribution) -> str:
     cause, applied, requested = contribution.cause, contribution.applied, contribution.requested
     place = f", {cause.place}" if cause.place else ""
-    amount = f"{applied:.3f}" if abs(applied - requested) < 5e-4 else f"{applied:.3f} of {requested:.3f}"
+    amount = f"{applied:.3f}" if abs(applied - requested) < _PRINTED else f"{applied:.3f} of {requested:.3f}"
     reason = f": {contribution.reason}" if contribution.reason else ""
     return f"{amount} from {contribution.channel}: {contribution.what} ({cause.rule}{place}){reason}"
