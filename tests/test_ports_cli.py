@@ -27,7 +27,7 @@ FAST = ["--fps", "10"]
         (["rig", "none.glb"], "none.glb: cannot be read"),
         (["rig", "none.glb", "--perform", "Hi."], "--perform and -o go together"),
         (["speak", "Hi.", "-o", "none/x.glb"], "the folder 'none' does not exist"),
-        (["pose", "AU12=1", "-o", "x.visemes.json"], ".visemes.json needs speech, but there is none here"),
+        (["pose", "AU12=1", "-o", "x.visemes.json"], ".visemes.json needs spoken words, and there are none"),
     ],
 )
 def test_faults_are_one_line(

@@ -18,7 +18,9 @@ NOWHERE = Path("/proc")
 
 
 def test_a_missing_folder_is_named(tmp_path: Path) -> None:
-    with pytest.raises(OutputError, match=r"x\.mp4: the folder '.*none' does not exist$"):
+    with pytest.raises(
+        OutputError, match=r"x\.mp4: the folder '.*none' does not exist; expected one that does$"
+    ):
         check_target(tmp_path / "none" / "x.mp4")
 
 
@@ -62,7 +64,10 @@ def test_an_impossible_name_is_refused(tmp_path: Path, name: str) -> None:
 
 
 def test_a_need_that_is_not_available_is_named(tmp_path: Path) -> None:
-    with pytest.raises(OutputError, match=r"x\.wav: \.wav needs speech, but there is none here$"):
+    with pytest.raises(
+        OutputError,
+        match=r"x\.wav: \.wav needs spoken words, and there are none; expected one of \.muscles\.csv, ",
+    ):
         check_target(tmp_path / "x.wav", {"curves"})
     assert check_target(tmp_path / "x.muscles.csv", {"curves"}).format.suffix == ".muscles.csv"
 

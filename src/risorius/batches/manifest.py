@@ -64,7 +64,12 @@ class Manifest:
     def rows(self) -> Rows:
         """Yield all rows, in place of one that cannot be read the error that says why."""
         if self.path.is_dir():
-            yield from _recordings(self.path)
+            is_empty = True
+            for row in _recordings(self.path):
+                is_empty = False
+                yield row
+            if is_empty:
+                raise InputError("holds no recording; expected e.g. a.wav beside a.txt", self._place)
             return
         try:
             file = self.path.open("rb")

@@ -39,7 +39,8 @@ class BatchProgress:
     def finish(self, folder: Path) -> None:
         """Say what came of it."""
         seconds = time.monotonic() - self._start
-        parts = [f"{self.made:,} lines made in {clock(seconds)}"]
+        lines = "1 line" if self.made == 1 else f"{self.made:,} lines"
+        parts = [f"{lines} made in {clock(seconds)}"]
         if self.made:
             parts[0] += f" ({self._rate():.1f} a second)"
         if self.whole:

@@ -15,7 +15,7 @@ _RATE = re.compile(r"[+-]?(?:\d{1,12}(?:/\d{1,12}|(?:\.\d{0,12})?(?:[eE][+-]?\d{
 def parse_fps(text: str | float | Fraction) -> Fraction:
     """Return a frame rate such as 30, "29.97" or "24000/1001"; raise InputError unless in (0, 1000]."""
     try:
-        if isinstance(text, str) and not _RATE.fullmatch(text.strip()):
+        if isinstance(text, bool) or (isinstance(text, str) and not _RATE.fullmatch(text.strip())):
             raise ValueError
         fps = Fraction(text) if not isinstance(text, float) else Fraction(text).limit_denominator(100_000)
     except (TypeError, ValueError, ZeroDivisionError, OverflowError):

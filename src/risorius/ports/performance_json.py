@@ -17,7 +17,7 @@ from ..core.json_text import load_json
 from ..core.parameters import NAMES, PARAMETERS
 from ..core.performance import Performance, frame_count
 from ..core.schema import MisfitError, placed, within
-from ..errors import unknown
+from ..errors import InputError, Place, unknown
 from .formats import register
 from .layout import write_json
 from .readable import PerformanceFile, ReadOptions
@@ -92,6 +92,9 @@ def read_performance_file(path: Path) -> PerformanceFile:
     Raises InputError or ParameterError, with the place in the file, as `score_json.read_score_file`, and if a
     curve is missing, of another length or out of range.
     """
+    if path.name.lower().endswith(".score.json"):
+        expected = f"risorius speak {path.name} -o {path.name[: -len('.score.json')]}.performance.json"
+        raise InputError(f"is a score; expected a performance, as of {expected}", Place(str(path)))
     document = load_json(path)
     performance = document.read(PerformanceDocument)
     with placed(document.source):

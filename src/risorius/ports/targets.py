@@ -10,13 +10,15 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from ..core.blas import one_thread
-from ..core.paths import path_of
+from ..core.paths import is_folder, path_of
 from ..errors import OutputError, Place
 from .atomic import os_failure, replacing
 from .formats import FORMATS, FileFormat, Need, format_for
 from .writable import WritableTake, WriteOptions
 
 PathLike = str | os.PathLike[str]
+_WORDS = {Need.PIXELS: "pictures", Need.SPEECH: "spoken words"}
+_USUAL = 6  # of the formats that are named in an error
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,19 +37,27 @@ def check_target(path: PathLike, available: Collection[str] = tuple(Need)) -> Ta
     not writable, and a path that is a folder or a read-only file.
     """
     file = path_of(path)
+    if is_folder(file):
+        raise OutputError("is a folder; expected a file name", Place(str(file)))
     if "\0" in str(file):
         raise OutputError(f"the name {str(file)!r} contains a null character; expected a file name")
     target = Target(file, format_for(file))
     missing = sorted(need for need in target.format.needs if need not in available)
     if missing:
-        raise OutputError(
-            f"{target.format.suffix} needs {missing[0]}, but there is none here", Place(str(file))
-        )
+        raise OutputError(_not_here(target.format, missing[0], available), Place(str(file)))
     try:
         _check_place(file)
     except OSError as error:
         raise os_failure(file, error) from error
     return target
+
+
+def _not_here(format: FileFormat, missing: Need, available: Collection[str]) -> str:
+    rest = [s for s in FORMATS if all(need in available for need in FORMATS.get(s).needs)]
+    shown = ", ".join(rest[:_USUAL]) + (", …" if len(rest) > _USUAL else "")
+    return (
+        f"{format.suffix} needs {_WORDS.get(missing, missing)}, and there are none; expected one of {shown}"
+    )
 
 
 def check_targets(
@@ -114,10 +124,8 @@ def _write_one(take: WritableTake, target: Target, temporary: Path, options: Wri
 def _check_place(file: Path) -> None:
     place = Place(str(file))
     folder = file.parent
-    if file.is_dir():
-        raise OutputError("is a folder; expected a file name", place)
     if not folder.exists():
-        raise OutputError(f"the folder '{folder}' does not exist", place)
+        raise OutputError(f"the folder '{folder}' does not exist; expected one that does", place)
     if not folder.is_dir():
         raise OutputError(f"'{folder}' is not a folder", place)
     if file.exists() and not os.access(file, os.W_OK):

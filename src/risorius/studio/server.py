@@ -40,6 +40,8 @@ def serve(
     Raises OutputError if the port is taken, or the folder cannot be made.
     """
     home = folder or default_folder()
+    if home.exists() and not home.is_dir():
+        raise OutputError("is not a folder; expected one for the sessions", Place(str(home)))
     try:
         home.mkdir(parents=True, exist_ok=True)
     except OSError as error:
