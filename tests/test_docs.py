@@ -31,6 +31,8 @@ SMALL = {"--size": ("64x64", Settings(size=(64, 64)))} | samples(
     {}, everyday={"--fps": ("6", Settings(fps=Fraction(6)))}
 )
 """Options of commands that have them, unless they are given or change no output."""
+SAVED = re.compile(r"`(\w+\.toml)`:\n```toml\n(.*?)^```", re.DOTALL | re.MULTILINE)
+"""Files that a page asks its reader to write."""
 
 
 def blocks(page: Path, language: str) -> list[str]:
@@ -79,6 +81,8 @@ DRAWN = {"formats.md", "looks.md", "recordings.md", "start.md"}
     "page", everyday(PAGES, [p for p in PAGES if p.name not in DRAWN]), ids=lambda p: p.name
 )
 def test_commands_run(page: Path, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name, text in SAVED.findall(page.read_text()):
+        (folder / name).write_text(text)
     for line in "".join(blocks(page, "sh")).splitlines():
         program, *arguments = shlex.split(line, comments=True)
         assert program == "risorius"
