@@ -59,12 +59,10 @@ def speak(
     script, transcript = _text_or_file(script), _text_or_file(transcript)
     audio = None if audio is None else path_of(audio)
     is_score = script is not None and script.lower().endswith(".json") and not text
-    with emotions_of(None if is_score else settings.rules, settings.expression):
-        displays = displays_of(emotion)
     if script is not None and is_score:
-        arguments = {"emotion": displays, "audio": audio, "transcript": transcript}
-        refuse(settings, SCORE, Place(script), **arguments)
+        refuse(settings, SCORE, Place(script), emotion=emotion or (), audio=audio, transcript=transcript)
         return mix(script, settings=settings, progress=progress)
+    displays = displays_of(emotion, settings)
     named = Input(script, audio, transcript, text, source, language=settings.language)
     return perform(named, displays, settings, progress)
 
@@ -162,12 +160,15 @@ def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Sett
         raise InputError(f"{type(targets).__name__} is not a pose; expected values by name: {{'AU12': 0.7}}")
     for name, value in targets.items():
         check_number(str(name), value)
-    shown = {display.emotion: display.intensity for display in displays_of(emotion)}
+    settings = checked(settings)
+    refuse(settings, POSE)
+    displays = displays_of(emotion, settings)
+    if any((display.start, display.end, display.priority) != (None, None, None) for display in displays):
+        raise UnreadError(["emotion"], "a pose has no times and no rivals; expected NAME:INTENSITY")
+    shown = {display.emotion: display.intensity for display in displays}
     keys = {name: ((0.0, value),) for name, value in posed(targets, shown).items()}
     pose_curve = ManualCurve(keys, Cause("pose", "command"))
     score = Score(0.001, manual=(pose_curve,), settings=BlendSettings(contact=False))
-    settings = checked(settings)
-    refuse(settings, POSE)
     return combine(score, settings)
 
 
@@ -206,15 +207,19 @@ def rig(
     return rig, report(rig, head_of(settings))
 
 
-def displays_of(emotion: Emotions) -> Displays:
-    """Return the displays that a user asks for; raise InputError for what is none."""
+def displays_of(emotion: Emotions, settings: Settings) -> Displays:
+    """Return the displays that a user asks for, of our emotions and those of the settings' rules.
+
+    Raises InputError for what is none.
+    """
     if isinstance(emotion, Mapping):
         emotion = [Display(name, intensity) for name, intensity in emotion.items()]
     elif isinstance(emotion, str):
         emotion = [emotion]
     elif not isinstance(emotion, Iterable):
         raise InputError(_no_emotion(emotion))
-    return tuple(map(_display, emotion))
+    with emotions_of(settings.rules, settings.expression):
+        return tuple(map(_display, emotion))
 
 
 def _display(emotion: object) -> Display:

@@ -41,7 +41,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     ("arguments", "message"),
     [
         (["gone.csv", "-o", "{id}.wav"], "gone.csv: there is no such manifest"),
-        (["lines.csv"], "Missing option '-o'"),
+        (["lines.csv"], "no output named"),
         (["lines.csv", "-o", "x.wav"], "x.wav: names no column"),
         (["lines.csv", "-o", "{id}.wav", "--shard", "0/2"], "shard '0/2' is not one"),
         (["lines.csv", "-o", "{id}.wav", "--emotion", "joyy:1"], "unknown emotion 'joyy'"),

@@ -80,7 +80,7 @@ def test_unknown_emotions_are_refused(name: str, message: str) -> None:
     ("text", "message"),
     [
         ("", "emotion '' is not understood; expected e.g. joy:0.7 or joy:0.7@1-2.5"),
-        ("joy", "emotion 'joy' is not understood"),
+        ("Sad", "emotion 'Sad' has no intensity; expected e.g. Sad:0.7 or Sad:0.7@1-2.5"),
         ("joy:much", "emotion 'joy:much' is not understood"),
         ("joy:nan", "emotion 'joy:nan' is not understood"),
         ("joy:-1", "emotion 'joy:-1' is not understood"),

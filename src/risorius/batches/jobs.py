@@ -7,11 +7,12 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from ..api import displays_of
 from ..core.paths import is_utf8
 from ..errors import InputError, Place, RisoriusError, UnreadError
 from ..pipeline import with_profile
 from ..ports.targets import Target, check_alpha
-from ..rules.emotions import Displays, parse_display
+from ..rules.emotions import Displays
 from ..rules.profiles import attitude
 from ..rules.rule_set import emotions_of, rule_set_of
 from ..script import Script
@@ -80,7 +81,8 @@ class JobMaker:
             raise InputError("has no id; expected one")
         name = checked_part("id", cells["id"].strip())
         settings = settings_of(self._settings(cells), self.settings)
-        emotions = self.emotions if "emotion" not in cells else _displays(cells["emotion"], settings)
+        of_row = "emotion" in cells
+        emotions = displays_of(_several(cells["emotion"]), settings) if of_row else self.emotions
         outputs = tuple(pattern.name(cells) for pattern in self.patterns)
         refuse_unwritten(settings, [pattern.format for pattern in self.patterns])
         if settings.look.transparent:
@@ -159,12 +161,6 @@ def _check_job(job: BatchJob) -> None:
         refuse_unread(source, settings)
         if isinstance(source, Script) and not source.lines and not source.marks:
             raise InputError("says and shows nothing; expected words or marks")
-
-
-def _displays(cell: str, settings: Settings) -> Displays:
-    """Return the displays of a cell; its emotions may be those of the line's own rules."""
-    with emotions_of(settings.rules, settings.expression):
-        return tuple(map(parse_display, _several(cell)))
 
 
 def _several(cell: str) -> list[str]:

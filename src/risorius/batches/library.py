@@ -13,8 +13,6 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from ..api import Emotions, checked, displays_of
 from ..errors import InputError, OutputError, Place, RisoriusError
-from ..rules.emotions import Displays
-from ..rules.rule_set import emotions_of
 from ..settings import Settings
 from .executors import BatchExecutor, InProcess, LocalPool
 from .jobs import JobMaker
@@ -75,7 +73,7 @@ class BatchPlan:
         patterns = [OutputPattern(os.fspath(output)) for output in self.outputs]
         manifest = self.manifest
         folder = Path() if manifest is None else manifest.folder
-        displays = _displays(self.emotions, self.settings)
+        displays = displays_of(self.emotions, self.settings)
         sheets = self.folder() / "sheets" if self.sheets else None
         return JobMaker(patterns, folder, self.settings, displays, self.ignore, sheets)
 
@@ -147,7 +145,7 @@ def batch(
         rows,
         names,
         settings,
-        _displays(emotion, settings),
+        displays_of(emotion, settings),
         processes,
         timeout,
         ray,
@@ -175,16 +173,10 @@ def pipe(
     """
     _check_iterable("texts", texts)
     settings = checked(settings)
-    displays = _displays(emotion, settings)
+    displays = displays_of(emotion, settings)
     if not as_tuples:
         return takes(texts, displays, settings, n_process)
     return _with_contexts(texts, displays, settings, n_process)
-
-
-def _displays(emotion: Emotions, settings: Settings) -> Displays:
-    """Return the displays that all lines have; emotions may be those of a user's rules."""
-    with emotions_of(settings.rules, settings.expression):
-        return displays_of(emotion)
 
 
 def usual_processes() -> int:

@@ -14,7 +14,7 @@ import click
 
 from .. import __version__
 from ..core.paths import is_file
-from ..errors import LONGEST_LINE, Place, RisoriusError, UnreadError, printable, shortened
+from ..errors import LONGEST_LINE, Place, RisoriusError, UnreadError, nearest, printable, shortened
 from .align import align
 from .batch import batch
 from .console import EXIT_INTERRUPTED, interrupt
@@ -62,6 +62,8 @@ def run(arguments: list[str]) -> int:
     except click.exceptions.NoArgsIsHelpError as error:
         click.echo(error.ctx.get_help())  # what a newcomer types first
         return 0
+    except click.NoSuchOption as error:
+        return _fault(_unknown_option(error))
     except click.ClickException as error:
         return _fault(error.format_message())
     except UnreadError as error:
@@ -76,6 +78,15 @@ def run(arguments: list[str]) -> int:
     except Exception as error:
         return _unforeseen(error, arguments, debug)
     return code if isinstance(code, int) else 0  # what a command exits with
+
+
+def _unknown_option(error: click.NoSuchOption) -> str:
+    context, name = error.ctx, error.option_name
+    options = [] if context is None else [o for p in context.command.get_params(context) for o in p.opts]
+    near = nearest(name, [option for option in options if option.startswith("--")])
+    command = "risorius" if context is None else context.command_path
+    help = f"did you mean '{near}'?" if near else f"'{command} --help' shows all"
+    return f"unknown option '{name}'; {help}"
 
 
 def _fault(message: str, place: Place | None = None) -> int:

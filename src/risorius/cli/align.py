@@ -9,7 +9,7 @@ import click
 from ..errors import OutputError
 from .console import Console
 from .options import Command, check_outputs, output_option, setting_options
-from .outputs import files_for
+from .outputs import written
 
 
 @click.command(cls=Command, short_help="Find the times of the words and phones of a recording.")
@@ -25,7 +25,7 @@ def align(audio: str, transcript: str | None, outputs: tuple[Path, ...], languag
     """
     if not outputs:
         raise OutputError("no output named; expected -o x.TextGrid")
-    with Console() as console, files_for(outputs) as files:
+    with Console() as console, written(console, outputs) as files:
         from ..api import align as find
         from ..speech.prosody import speech_rate
 
@@ -34,4 +34,3 @@ def align(audio: str, transcript: str | None, outputs: tuple[Path, ...], languag
         take.write(*files)
         if said := take.utterance:
             console.say(f"{len(said.words)} words, {speech_rate(said):.1f} syllables per second of speech")
-        console.wrote(outputs)

@@ -10,7 +10,7 @@ import click
 from ..core.setting import Stage
 from .batch_progress import BatchProgress
 from .console import EXIT_INTERRUPTED, Console
-from .options import SHOWN, Command, emotion_option, option, setting_options, settings_from
+from .options import SHOWN, Command, NumberIn, emotion_option, option, setting_options, settings_from
 
 if TYPE_CHECKING:
     from ..batches.library import BatchPlan
@@ -26,21 +26,20 @@ EXIT_FAILED = 1
     "outputs",
     group="Output",
     multiple=True,
-    required=True,
     metavar="PATTERN",
-    help="Files to write, with columns in braces: 'out/{id}.mp4'. May be given several times.",
+    help="Files to write, with columns in braces: 'out/{id}.mp4'. May be given several times.  [required]",
 )
 @option(
     "--jobs",
     group="Batch",
-    type=click.IntRange(0),
+    type=NumberIn(0),
     metavar="N",
-    help="Processes; 0 for none beside this one.  [default: the cores]",
+    help="Number of processes; 0 performs in this one.  [default: one a core]",
 )
 @option(
     "--timeout",
     group="Batch",
-    type=click.FloatRange(0.0, min_open=True),
+    type=NumberIn(0.001, kind=float),
     default=600.0,
     metavar="S",
     help="Seconds after which a line is given up.  [default: 600]",
@@ -58,7 +57,7 @@ EXIT_FAILED = 1
     group="Batch",
     multiple=True,
     metavar="COLUMN",
-    help="A column that is for others. May be given several times.",
+    help="A column that Risorius does not read. May be given several times.",
 )
 @option(
     "--journal",
@@ -92,8 +91,8 @@ def batch(
     Columns: id, and text, script (a file), or audio with transcript; every option of
     `speak` may be a column, or an option for all lines.
 
-    A run that ended before its time goes on where it was when it is started again: lines that are whole and
-    unchanged are not made again. Exit code 1 if a line failed; errors.jsonl has them.
+    Start a run that was interrupted again to continue it: lines that are complete and unchanged are not made
+    again. The exit code is 1 if a line failed; errors.jsonl lists these lines.
     """
     from ..batches.library import BatchPlan, usual_processes
     from ..batches.run import Shard

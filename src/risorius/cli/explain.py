@@ -8,7 +8,7 @@ import click
 
 from ..core.setting import Names
 from ..errors import InputError
-from .options import Command, Named, option
+from .options import Command, Named, NumberIn, option
 
 
 @click.command(cls=Command, short_help="Explain why the face does what it does.")
@@ -16,7 +16,7 @@ from .options import Command, Named, option
 @option(
     "--at",
     group="Output",
-    type=float,
+    type=NumberIn(0.0, kind=float),
     metavar="S",
     help="Time to explain, in seconds. Without it, a summary of the clip.",
 )

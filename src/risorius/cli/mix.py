@@ -10,7 +10,7 @@ import click
 from ..core.setting import Stage
 from .console import Console
 from .options import SHOWN, Command, check_outputs, output_option, setting_options, settings_from
-from .outputs import files_for
+from .outputs import written
 
 PRINTED = "-.muscles.csv"
 
@@ -27,8 +27,7 @@ def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     from ..api import mix as combine
 
     settings, outputs = settings_from(chosen), outputs or (Path(PRINTED),)
-    with Console() as console, files_for(outputs) as files:
+    with Console() as console, written(console, outputs) as files:
         check_outputs(files, settings)
         take = combine(score, settings=settings, progress=console.progress)
         take.write(*files, progress=console.progress)
-        console.wrote(outputs)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 import click
 from click.shell_completion import CompletionItem
@@ -13,9 +14,6 @@ from ..core.setting import Group, Names, Row, Stage, ValueKind, rows
 from ..errors import InputError, ParameterError, Place, unknown
 from ..settings import Settings
 from .messages import JSON, QUIET
-
-if TYPE_CHECKING:
-    from ..channels import Display
 
 F = TypeVar("F", bound=Callable[..., Any])
 SHOWN = (Stage.FRAMES, Stage.HEAD, Stage.SHAPE, Stage.SKIN, Stage.APPEARANCE, Stage.PICTURE, Stage.OUTPUT)
@@ -31,6 +29,16 @@ class Command(click.Command):
     def __init__(self, *arguments: Any, **about: Any) -> None:
         takes_some = any(isinstance(p, click.Argument) for p in about.get("params") or ())
         super().__init__(*arguments, **{"no_args_is_help": takes_some, **about})
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Read the arguments; raise InputError for one too many, as of a text without quotation marks."""
+        ctx.allow_extra_args = True
+        rest = super().parse_args(ctx, args)
+        if rest and not ctx.resilient_parsing:
+            takes_some = any(isinstance(p, click.Argument) for p in self.params)
+            expected = "quotation marks around a text with blanks" if takes_some else "options alone"
+            raise InputError(f"'{rest[0]}' is one argument too many; expected {expected}")
+        return rest
 
     def get_params(self, ctx: click.Context) -> list[click.Parameter]:
         """Return the parameters; those of messages, which `messages` reads, stand before `--help`."""
@@ -75,6 +83,28 @@ class KnownName(click.Choice[str]):
         if value not in self.choices:
             raise ParameterError(unknown(self._kind, str(value), self.choices))
         return super().convert(value, param, ctx)
+
+
+class NumberIn(click.ParamType[float]):
+    """A number from `low` to `high`, read by `kind`, int or float."""
+
+    name = "number"
+
+    def __init__(self, low: float, high: float = math.inf, *, kind: type[int] | type[float] = int) -> None:
+        self._low, self._high, self._kind = low, high, kind
+        self._expected = f"expected {low:g} or more" if high == math.inf else f"expected {low:g} to {high:g}"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        """Return the number; raise ParameterError for a text that is none, and for one out of range."""
+        flag = "" if param is None else f"{param.opts[0]} "
+        try:
+            number = self._kind(value)
+        except ValueError:
+            kind = "a whole number" if self._kind is int else "a number"
+            raise ParameterError(f"{flag}'{value}' is not {kind}; {self._expected}") from None
+        if not self._low <= number <= self._high:
+            raise ParameterError(f"{flag}{value} is out of range; {self._expected}")
+        return number
 
 
 class Named(click.ParamType[str]):
@@ -228,15 +258,3 @@ def check_outputs(
     targets = check_targets(outputs, tuple(Need) if available is None else available, alpha=alpha)
     if settings is not None:
         refuse_unwritten(settings, [target.format for target in targets])
-
-
-def displays(emotions: tuple[str, ...], settings: Settings) -> tuple[Display, ...]:
-    """Return the displays of emotions that are given as texts, those of the settings' rules among them.
-
-    Raises InputError for a text that is none.
-    """
-    from ..rules.emotions import parse_display
-    from ..rules.rule_set import emotions_of
-
-    with emotions_of(settings.rules, settings.expression):
-        return tuple(parse_display(text) for text in emotions)

@@ -11,18 +11,15 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ..errors import OutputError, Place
+from .console import Console
 
 _STANDARD = "-."
 _LOOKED_AT = 8_192  # bytes by which text is told from other content
 
 
 @contextmanager
-def files_for(outputs: Collection[Path]) -> Iterator[tuple[Path, ...]]:
-    """Yield the files to write: for standard output one that is printed when the block ends well.
-
-    Raises OutputError for several of these, for a suffix that is none, and if a terminal would get what is no
-    text.
-    """
+def _files_for(outputs: Collection[Path]) -> Iterator[tuple[Path, ...]]:
+    """Yield the files to write: for standard output one that is printed when the block ends well."""
     printed = [output for output in outputs if is_standard(output)]
     if not printed:
         yield tuple(outputs)
@@ -32,6 +29,18 @@ def files_for(outputs: Collection[Path]) -> Iterator[tuple[Path, ...]]:
         file = Path(folder) / printed[0].name
         yield tuple(file if output == printed[0] else output for output in outputs)
         _print(file, Place(str(printed[0])))
+
+
+@contextmanager
+def written(console: Console, outputs: Collection[Path]) -> Iterator[tuple[Path, ...]]:
+    """Yield the files to write, one that is printed later for standard output; when all are written, say so.
+
+    Raises OutputError for several of these, for a suffix that is none, and if a terminal would get what is no
+    text.
+    """
+    with _files_for(outputs) as files:
+        yield files
+    console.wrote(outputs)
 
 
 def is_standard(output: Path) -> bool:

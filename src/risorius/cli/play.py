@@ -10,7 +10,7 @@ import click
 from ..errors import OutputError
 from .console import Console
 from .options import SHOWN, Command, check_outputs, option, output_option, setting_options, settings_from
-from .outputs import files_for
+from .outputs import written
 
 
 @click.command(cls=Command, short_help="Perform a captured face: ARKit, OpenFace, MPEG-4.")
@@ -26,10 +26,9 @@ def play(capture: Path, audio: str | None, outputs: tuple[Path, ...], **chosen: 
     if not outputs:
         raise OutputError("no output named; expected -o y.mp4")
     settings = settings_from(chosen)
-    with Console() as console, files_for(outputs) as files:
+    with Console() as console, written(console, outputs) as files:
         from ..api import play as perform
 
         check_outputs(files, settings)
         take = perform(capture, audio=audio, settings=settings, progress=console.progress)
         take.write(*files, progress=console.progress)
-        console.wrote(outputs)

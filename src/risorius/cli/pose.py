@@ -14,13 +14,12 @@ from .options import (
     Command,
     Named,
     check_outputs,
-    displays,
     emotion_option,
     output_option,
     setting_options,
     settings_from,
 )
-from .outputs import files_for
+from .outputs import written
 
 TARGETS = Names(path="core.action_units:target_names")
 WITHOUT_SPEECH = ("movements", "curves", "vertices", "pixels", "head")
@@ -43,11 +42,10 @@ def pose(
     if not outputs:
         raise OutputError("no output named; expected -o face.png")
     settings = settings_from(chosen)
-    with Console() as console, files_for(outputs) as files:
+    with Console() as console, written(console, outputs) as files:
         check_outputs(files, settings, WITHOUT_SPEECH)
-        take = hold(_assignments(targets), emotion=displays(emotions, settings), settings=settings)
+        take = hold(_assignments(targets), emotion=emotions, settings=settings)
         take.write(*files)
-        console.wrote(outputs)
 
 
 def _assignments(targets: tuple[str, ...]) -> dict[str, float]:
@@ -60,9 +58,12 @@ def _assignments(targets: tuple[str, ...]) -> dict[str, float]:
         if name.lower() in emotion_names() and name.lower() not in ALIASES:
             raise InputError(f"'{name}' is an emotion; expected --emotion {name}:{value or 0.7}")
         try:
-            if not equals:
+            if not equals or not name:
                 raise ValueError
-            values[name] = float(value)
+            number = float(value)
         except ValueError:
             raise InputError(f"'{text}' is not NAME=VALUE; expected e.g. zygomatic_major=0.7") from None
+        if name in values:
+            raise InputError(f"'{name}' is given twice; expected one value")
+        values[name] = number
     return values

@@ -9,7 +9,7 @@ import click
 
 from ..errors import InputError, Place
 from .console import Console
-from .options import Command, option
+from .options import Command, NumberIn, option
 from .studio import leave
 
 _LARGEST_TOKEN = 4_096
@@ -21,7 +21,8 @@ _VARIABLE = "RISORIUS_TOKEN"
 @option(
     "--port",
     group="Server",
-    type=click.IntRange(0, 65535),
+    type=NumberIn(0, 65535),
+    metavar="N",
     help="Port; 0 chooses a free one.  [default: 8766]",
 )
 @option(
@@ -38,7 +39,13 @@ _VARIABLE = "RISORIUS_TOKEN"
     metavar="URL",
     help="A site whose pages may connect, e.g. https://example.org; may be repeated.",
 )
-@option("--clients", group="Clients", type=click.IntRange(1, 256), help="Clients at once.  [default: 16]")
+@option(
+    "--clients",
+    group="Clients",
+    type=NumberIn(1, 256),
+    metavar="N",
+    help="How many clients may be connected at once.  [default: 16]",
+)
 @option(
     "--rig",
     group="Character",
@@ -92,6 +99,8 @@ def _token(file: Path | None) -> str | None:
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or "not a text"
         raise InputError(f"cannot be read: {reason}; expected a token", Place(str(file))) from None
+    if not text:
+        raise InputError("is empty; expected a token", Place(str(file)))
     return text
 
 

@@ -11,7 +11,7 @@ from ..core.setting import Stage
 from .console import Console
 from .inputs import Spoken, input_options
 from .options import SHOWN, Command, check_outputs, output_option, setting_options, settings_from
-from .outputs import files_for
+from .outputs import written
 
 DEFAULT_OUTPUT = "performance.mp4"
 
@@ -41,10 +41,9 @@ def speak(
     spoken = Spoken(source, is_text, emotions, audio, transcript)
     settings = settings_from(chosen)
     outputs, named = outputs or (Path(DEFAULT_OUTPUT),), bool(outputs)
-    with Console() as console, files_for(outputs) as files:
+    with Console() as console, written(console, outputs) as files:
         if not named:
             console.say(f"Writing {DEFAULT_OUTPUT} (choose with -o)")
         check_outputs(files, settings)
         take = spoken.perform(settings, console.progress)
         take.write(*files, progress=console.progress)
-        console.wrote(outputs)

@@ -11,7 +11,15 @@ from ..core.setting import Names, Stage
 from ..errors import InputError, UnreadError
 from .console import Console
 from .inputs import Spoken, input_options
-from .options import Command, Named, check_outputs, displays, option, setting_options, settings_from
+from .options import (
+    Command,
+    Named,
+    NumberIn,
+    check_outputs,
+    option,
+    setting_options,
+    settings_from,
+)
 from .typed import TypedText, face_of
 
 # What is sent are weights, as a file of them has them: it depends on what the curves and the skin depend on.
@@ -41,7 +49,7 @@ _READ = (Stage.VOICE, Stage.PLAN, Stage.COMBINE, Stage.FRAMES, Stage.HEAD, Stage
 @option(
     "--patience",
     group="Receiver",
-    type=click.FloatRange(0.0, min_open=True),
+    type=NumberIn(0.001, kind=float),
     default=60.0,
     metavar="S",
     help="How long to wait for a greeting.  [default: 60]",
@@ -87,6 +95,7 @@ def stream(
     The sound is the clock; late frames are dropped. With --audio a recorded voice is performed, as by speak.
     Standard input is said sentence by sentence as it comes, until it ends.
     """
+    from ..api import displays_of
     from ..stream import PATIENCE, PROTOCOLS, Options, check_options, parse_address, send_live, send_take
 
     spoken = Spoken(source, is_text, emotions, audio, transcript)
@@ -105,7 +114,7 @@ def stream(
         check_outputs([_LIKE], settings)
         line |= {"sound": not without_sound, "progress": console.progress}
         if source == "-" and audio is None and transcript is None:
-            face = face_of(settings, displays(emotions, settings))
+            face = face_of(settings, displays_of(emotions, settings))
             typed = TypedText(face)
             sent = send_live(face, protocol, to, **line)
             typed.check()

@@ -10,14 +10,15 @@ from pathlib import Path
 import click
 
 from .console import Console
-from .options import Command, option
+from .options import Command, NumberIn, option
 
 
 @click.command(cls=Command, short_help="See, hear and shape a performance in the browser.")
 @option(
     "--port",
     group="Server",
-    type=click.IntRange(0, 65535),
+    type=NumberIn(0, 65535),
+    metavar="N",
     help="Port; 0 chooses a free one.  [default: 8765]",
 )
 @option("--no-browser", group="Server", is_flag=True, help="Do not open a browser.")

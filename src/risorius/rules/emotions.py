@@ -253,7 +253,9 @@ def parse_display(text: str) -> Display:
     match = _INTENSITY.search(text.strip())
     name = text.strip()[: match.start()] if match else ""
     if match is None or not (_NAME.fullmatch(name) or name.endswith(_FILE)):
-        raise InputError(f"emotion '{text}' is not understood; expected e.g. joy:0.7 or joy:0.7@1-2.5")
+        is_name = text.strip().lower() in emotion_names()
+        fault, example = ("has no intensity", text.strip()) if is_name else ("is not understood", "joy")
+        raise InputError(f"emotion '{text}' {fault}; expected e.g. {example}:0.7 or {example}:0.7@1-2.5")
     found = emotion(name)
     key = emotion_key(name)
     intensity = check_intensity(found.name, float(match[1]))

@@ -59,7 +59,10 @@ class ServeOptions:
         if self.token is not None and len(self.token) < limits.TOKEN:
             raise InputError(f"a token of {len(self.token)} characters; expected at least {limits.TOKEN}")
         if self.token is None and not is_loopback(self.host):
-            raise InputError(f"{self.host} can be reached from other machines; expected a token as well")
+            raise InputError(
+                f"{self.host} can be reached from other machines; expected a token "
+                "(--token-file, or the variable RISORIUS_TOKEN)"
+            )
 
 
 def is_loopback(host: str) -> bool:
