@@ -37,7 +37,10 @@ class RendererPool:
         self._idle.put(renderer)
 
     def draw(self, inputs: Iterable[PictureInput]) -> Iterator[ByteArray]:
-        """Yield the picture of each input in turn; inputs are taken at most `threads` + 1 ahead."""
+        """Yield the picture of each input in turn; inputs are taken at most 2 `threads` + 1 ahead.
+
+        Twice as many are at work as are drawn at once: a picture that takes long keeps no thread waiting.
+        """
         at_work: deque[Future[ByteArray]] = deque()
         idle = self._idle  # still here for the threads if the pool is closed meanwhile
         pool = ThreadPoolExecutor(self.threads, "picture")
@@ -45,7 +48,7 @@ class RendererPool:
             for frame, suppression in inputs:
                 self._enlarge(len(at_work) + 1)
                 at_work.append(pool.submit(_draw, idle, PictureInput(frame.copy(), suppression)))
-                if len(at_work) > self.threads:
+                while at_work and (at_work[0].done() or len(at_work) > 2 * self.threads):
                     yield at_work.popleft().result()
             while at_work:
                 yield at_work.popleft().result()

@@ -66,6 +66,7 @@ class VideoEncoder:
         self._slots, self._pictures, self._taken = Slots(messages.SLOTS, size_in_bytes), 0, 0
         self._patience = patience
         self._silence, self._begun = "", b""
+        self._waits, self._is_waiting, self._over = 0, False, threading.Event()
         self._complaints = tempfile.TemporaryFile()  # noqa: SIM115 - closed by _stop()
         self._process = processes.start(
             "risorius.ports.video.worker",
@@ -157,24 +158,33 @@ class VideoEncoder:
 
     @contextmanager
     def _limit(self) -> Iterator[None]:
-        """Kill the worker if the block takes too long, which ends any waiting for it."""
-        done = threading.Event()
-        threading.Thread(target=self._watch, args=(done,), daemon=True).start()
+        """Let the worker be killed if the block takes too long, which ends any waiting for it."""
+        self._waits += 1
+        self._is_waiting = True
         try:
             yield
         finally:
-            done.set()
+            self._is_waiting = False
 
-    def _watch(self, done: threading.Event) -> None:
+    def _watch(self) -> None:
+        """Kill the worker if this process waits for it too long at a time.
+
+        One thread looks at all waits: one for each would take longer than most of them.
+        """
         try:
-            for step in processes.patience(self.pid, self._patience):
-                if done.wait(step):
-                    return
+            while not self._over.wait(min(processes.LOOK, self._patience)):
+                waits = self._waits
+                for step in processes.patience(self.pid, self._patience):
+                    if not self._is_waiting or self._waits != waits:
+                        break
+                    if self._over.wait(step):
+                        return
         except processes.SilentError as error:
             self._silence = str(error)
             self._process.kill()
 
     def _stop(self) -> None:
+        self._over.set()
         self._process.kill()
         self._process.wait()
         self._slots.close()
@@ -183,6 +193,7 @@ class VideoEncoder:
                 pipe.close()
 
     def __enter__(self) -> VideoEncoder:
+        threading.Thread(target=self._watch, daemon=True).start()
         try:
             self._send(messages.SETUP, self._setup.encode())
         except BaseException:
