@@ -10,6 +10,7 @@ import numpy as np
 
 from ..core.arrays import Array, ByteArray, IntArray
 from ..face.head import Head
+from ..looks.attributes import HAIR, OCCLUSION, SPECULAR
 from ..looks.eyeball import iris_picture, pupil_axes
 from ..looks.head_model import FACIAL_HAIRS
 from ..looks.parts import Part
@@ -25,6 +26,8 @@ class GlbScene:
 
     `parts` as `HeadModel.parts` gives them; `posed` are points (n, 3) mm of parts that are not at rest;
     `moving` are displacements (n, 3) mm of parts by morph target: {"jawOpen": {"skin": …, "tongue": …}}.
+    With `lit`, hairs say at each vertex (`_LIGHT`) which share of light reaches it, and how strong its
+    highlights are.
     """
 
     head: Head
@@ -32,6 +35,7 @@ class GlbScene:
     parts: Mapping[str, Part]
     moving: Mapping[str, Mapping[str, Array]] = field(default_factory=dict)
     posed: Mapping[str, Array] = field(default_factory=dict)
+    lit: bool = False
     nodes: dict[str, int] = field(default_factory=dict)
     targets: dict[str, tuple[str, ...]] = field(default_factory=dict)
     _normals: dict[str, Array] = field(default_factory=dict)
@@ -83,6 +87,10 @@ class GlbScene:
             attributes["COLOR_0"] = gltf.accessor(part.colours.astype(np.float32), VERTICES)
         if part.name == "skin":
             attributes |= self._neck()
+        if self.lit and part.surface >= HAIR:
+            light = np.zeros((len(points), 4), np.uint8)  # a vertex takes a multiple of four bytes
+            light[:, :2] = np.round(255.0 * part.attributes[:, [OCCLUSION, SPECULAR]].clip(0.0, 1.0))
+            attributes["_LIGHT"] = gltf.accessor(light, VERTICES, normalized=True)
         primitive: dict[str, object] = {
             "attributes": attributes,
             "indices": gltf.accessor(part.triangles.astype(np.uint32).ravel(), INDICES),

@@ -13,7 +13,7 @@ from .gltf import Gltf
 def head_glb(stage: FacePacker) -> bytes:
     """Return the file."""
     gltf = Gltf(generator="Risorius", copyright="Head: CC0 1.0")
-    GlbScene(stage.head, gltf, stage.head_parts).build()
+    GlbScene(stage.head, gltf, stage.head_parts, lit=True).build()
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "head.glb"
         gltf.save(path)

@@ -205,6 +205,27 @@ def test_strands_farthest_from_who_looks_come_first_and_stay_whole(page: Page) -
             assert [v % 4 for v in index[k : k + 6]] == [0, 1, 2, 1, 3, 2]
 
 
+def test_strands_know_where_they_run_and_their_breadth(page: Page) -> None:
+    """By both they turn their breadth to who looks: seen from the side, hair was full of holes."""
+    along, across = page.run("""
+      const THREE = await import("/web/vendor/three/three.module.min.js");
+      const { asStrands } = await import("/web/stage/strands.js");
+      // Two strands of three pairs, 2 wide: one runs up, then to the left, the other to the front.
+      const one = [-1, 0, 0, 1, 0, 0, -1, 5, 0, 1, 5, 0, -4, 5, 0, -2, 5, 0];
+      const other = [0, 1, 2].flatMap((k) => [-1, 9, 3 * k, 1, 9, 3 * k]);
+      const index = [0, 2, 6, 8].flatMap((from) => [0, 1, 2, 1, 3, 2].map((v) => from + v));
+      const triangles = new THREE.BufferAttribute(Uint32Array.from(index), 1);
+      const points = new THREE.BufferAttribute(Float32Array.from([...one, ...other]), 3);
+      const geometry = new THREE.BufferGeometry().setIndex(triangles);
+      geometry.setAttribute("position", points);
+      asStrands(new THREE.Mesh(geometry));
+      return ["along", "across"].map((name) => [...geometry.attributes[name].array]);
+    """)
+    up, left, front = [0, 1, 0], [-1, 0, 0], [0, 0, 1]
+    assert along == [*up * 2, *left * 4, *front * 6]
+    assert across == [-1, 0, 0, 1, 0, 0] * 6
+
+
 def test_a_head_that_is_held_does_not_come_to_rest(page: Page) -> None:
     found = page.run("""
       const { Sharpness } = await import("/web/stage/sharpness.js");

@@ -4,7 +4,7 @@ import * as THREE from "../vendor/three/three.module.min.js";
 /** @import {FileMesh} from "../types.js" */
 
 export const MM = 1000;
-const NAMES = { POSITION: "position", NORMAL: "normal", TEXCOORD_0: "uv", COLOR_0: "color" };
+const NAMES = { POSITION: "position", NORMAL: "normal", TEXCOORD_0: "uv", COLOR_0: "color", _LIGHT: "shaded" };
 const LAMPS = 4;
 const HEM_STEPS = 4; // a millimetre
 const ABOVE = [-20, -6]; // mm into the cloth where the neck's colour is taken

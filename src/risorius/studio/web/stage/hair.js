@@ -8,48 +8,78 @@ export const HAIRS = ["brows", "lashes", "hair", "hairline"];
 
 const SOLID = "strand.y * clamp( ( 1.0 - abs( aside ) ) * strand.x, 0.0, 1.0 )";
 
-// Hair is lit from both sides of a strand, and shines along its length where the light grazes it. A strand's edges
-// are a pixel soft; one that is thinner than a pixel is drawn as wide as one, but fainter: else it would glitter.
+// A strand turns its breadth to who looks. Its edges are a pixel soft; one that is thinner than a pixel is drawn as wide as
+// one, but fainter: else it would glitter. It mirrors light into a cone about its own direction (Kajiya and Kay 1989),
+// twice, as `render/materials/hair.py` says it.
+const FIBRE = `
+  float along = dot( fibre, directLight.direction );
+  vec3 across = normalize( geometryViewDir - fibre * dot( fibre, geometryViewDir ) );
+  float facing = saturate( 0.6 * dot( across, directLight.direction ) + 0.4 );
+  float tilt = dot( fibre, normalize( geometryViewDir + directLight.direction ) );
+  float white = 0.085 * exp( - 60.0 * ( tilt + 0.09 ) * ( tilt + 0.09 ) );
+  float tinted = 1.9 * exp( - 14.0 * ( tilt - 0.14 ) * ( tilt - 0.14 ) );
+  float share = facing * ( 0.4 + 0.6 * lit.x );
+  vec3 irradiance = share * ( 0.7 * sqrt( saturate( 1.0 - along * along ) ) + lit.y * tinted ) * directLight.color;
+  reflectedLight.directSpecular += share * lit.y * white * RECIPROCAL_PI * directLight.color;`;
+
+const GROWN = "varying vec3 fibre;\nvarying vec2 lit; // the share of light that comes between other hairs, and the strength of the highlights";
+
 /** @type {{vertex: any, fragment: any, light: any}} shader text in place of three's */
 const HAIR = {
   vertex: [
     [
       "#include <common>",
-      "#include <common>\nattribute vec3 across;\nuniform float pixels;\nvarying float aside;\nvarying vec2 strand;",
+      `#include <common>
+attribute vec3 across;
+attribute vec3 along;
+attribute vec4 shaded;
+uniform float pixels;
+varying float aside;
+varying vec2 strand;
+${GROWN}`,
     ],
     [
       "#include <begin_vertex>",
       `#include <begin_vertex>
-      float away = max( - ( modelViewMatrix * vec4( position, 1.0 ) ).z, 0.001 );
-      float own = max( length( ( modelViewMatrix * vec4( across, 0.0 ) ).xyz ) * pixels / away, 0.02 );
+      vec3 midst = ( modelViewMatrix * vec4( position - across, 1.0 ) ).xyz;
+      float away = max( - midst.z, 0.001 );
+      float own = max( length( mat3( modelViewMatrix ) * across ) * pixels / away, 0.02 );
       float least = max( own, 0.5 );
-      transformed += across * ( ( least + 0.5 ) / own - 1.0 );
       strand = vec2( least + 0.5, own / least );
-      aside = ( gl_VertexID & 1 ) == 0 ? 1.0 : - 1.0;`,
+      aside = ( gl_VertexID & 1 ) == 0 ? 1.0 : - 1.0;
+      lit = shaded.xy;
+      fibre = normalize( mat3( modelViewMatrix ) * along );
+      vec3 breadth = cross( fibre, midst );
+      breadth *= aside * ( least + 0.5 ) * away / ( pixels * max( length( breadth ), 1e-6 ) );
+      transformedNormal = - midst + fibre * dot( fibre, midst );
+      vNormal = normalize( transformedNormal );`,
     ],
+    ["#include <project_vertex>", "vec4 mvPosition = vec4( midst + breadth, 1.0 );\ngl_Position = projectionMatrix * mvPosition;"],
   ],
   fragment: [
-    ["#include <common>", "#include <common>\nvarying float aside;\nvarying vec2 strand;"],
+    ["#include <common>", `#include <common>\nvarying float aside;\nvarying vec2 strand;\n${GROWN}`],
     [
       "#include <color_fragment>",
       `#include <color_fragment>
       diffuseColor.a *= ${SOLID};`,
     ],
+    ["#include <normal_fragment_begin>", "vec3 normal = normalize( vNormal );\nvec3 nonPerturbedNormal = normal;"],
+    ["vec3 outgoingLight = ", "vec3 outgoingLight = reflectedLight.directSpecular + "],
   ],
   light: [
     [
       "#include <lights_lambert_pars_fragment>",
-      THREE.ShaderChunk.lights_lambert_pars_fragment.replace(
-        "float dotNL = saturate( dot( geometryNormal, directLight.direction ) );",
-        "float dotNL = saturate( 0.12 + 0.72 * dot( geometryNormal, directLight.direction ) );",
-      ),
+      THREE.ShaderChunk.lights_lambert_pars_fragment
+        .replace("float dotNL = saturate( dot( geometryNormal, directLight.direction ) );", "")
+        .replace("vec3 irradiance = dotNL * directLight.color;", FIBRE),
     ],
+    ["#include <lights_fragment_end>", "irradiance *= lit.x;\n#include <lights_fragment_end>"],
   ],
 };
 
 const QUICK = {
   made: "varying vec3 grown;\n",
-  develop: "grown = developed( vColor.rgb * light );",
+  develop: "grown = developed( vColor.rgb * light + gloss );",
   pixel: `
 varying float aside;
 varying vec2 strand;

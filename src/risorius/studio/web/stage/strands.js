@@ -58,11 +58,13 @@ export function widen(points, wide) {
 }
 
 /**
- * Have a mesh know of each vertex how far and where the ribbon reaches from its midst, in mm: `across`.
+ * Have a mesh know of each vertex how far and where the ribbon reaches from its midst, in mm: `across`; and where its
+ * strand runs, of unit length: `along`.
  * @param {Mesh} mesh
  */
 export function asStrands(mesh) {
-  const { array } = mesh.geometry.attributes.position;
+  const { attributes, index } = /** @type {any} */ (mesh.geometry);
+  const { array } = attributes.position;
   const across = new Float32Array(array.length);
   for (let k = 0; k < array.length; k += 6) {
     for (let axis = k; axis < k + 3; axis++) {
@@ -71,6 +73,22 @@ export function asStrands(mesh) {
     }
   }
   mesh.geometry.setAttribute("across", new THREE.BufferAttribute(across, 3));
+  mesh.geometry.setAttribute("along", new THREE.BufferAttribute(directions(array, strandsOf(index.array).pairs), 3));
+}
+
+/**
+ * Where strands run at each vertex, as the ribbons of the library: on to the next pair, at the tip as before it.
+ * @param {Float32Array} points @param {number} pairs of a strand @returns {Float32Array} of unit length
+ */
+function directions(points, pairs) {
+  const found = new Float32Array(points.length);
+  for (let pair = 0; 6 * pair < points.length; pair++) {
+    const from = 6 * (pair % pairs === pairs - 1 ? pair - 1 : pair);
+    const way = [0, 1, 2].map((axis) => points[from + 6 + axis] + points[from + 9 + axis] - points[from + axis] - points[from + 3 + axis]);
+    const length = Math.hypot(...way) || 1;
+    for (let k = 0; k < 6; k++) found[6 * pair + k] = way[k % 3] / length;
+  }
+  return found;
 }
 
 /** Puts a mesh's strands in order, the farthest first, whenever it is looked at from elsewhere. */
