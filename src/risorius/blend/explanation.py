@@ -50,9 +50,10 @@ class Explanation:
 
     @property
     def is_seen(self) -> bool:
-        """Whether anything is requested or applied that is seen in the decimals that are printed."""
+        """Whether it moves, or anything is requested or applied, in the decimals that are printed."""
         parts = (*self.losers, *(() if self.winner is None else (self.winner,)))
-        return any(max(abs(part.requested), abs(part.applied)) >= _PRINTED for part in parts)
+        moved = abs(self.value - PARAMETERS[INDEX[self.parameter]].neutral) >= _PRINTED
+        return moved or any(max(abs(part.requested), abs(part.applied)) >= _PRINTED for part in parts)
 
     def __str__(self) -> str:
         """Return it in words, as the command line prints it."""
