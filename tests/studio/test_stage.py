@@ -110,7 +110,7 @@ def test_a_page_is_told_where_lips_meet_and_where_cloth_begins(stage):
     assert np.abs(skin[upper, 0] - skin[lower, 0]).max() < 3.0
     assert np.median(skin[upper, 1] - skin[lower, 1]) >= 0.0
     seen = np.frombuffer(shade(stage.head), np.uint8).reshape(len(skin), -1)
-    assert seen.shape[1] == 1 + len(light().lamps) + 1
-    inside = (seen[:, -1].astype(float) - 128.0) / HEM_STEPS
+    assert seen.shape[1] == 1 + len(light().lamps) + 1 + 3
+    inside = (seen[:, -4].astype(float) - 128.0) / HEM_STEPS
     depth = neckline(find_anatomy(stage.head)).clip(-128 / HEM_STEPS, 127 / HEM_STEPS)
     assert np.abs(inside - depth).max() <= 0.51 / HEM_STEPS

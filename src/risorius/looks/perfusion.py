@@ -30,15 +30,15 @@ from .attributes import ALBEDO
 
 # How much the usual haemoglobin absorbs in red, green and blue: twice of it darkens green by a quarter, about
 # as the flush of the cheeks does (`complexion`); lips have more of it under a thinner skin. Numbers are ours.
-_SKIN = f4(0.03), f4(0.29), f4(0.25)
-_LIPS = f4(0.10), f4(0.46), f4(0.36)
+SKIN_ABSORBS = f4(0.03), f4(0.29), f4(0.25)
+LIPS_ABSORB = f4(0.10), f4(0.46), f4(0.36)
 # Part of the gain that the skin of wrinkle regions gets: ridges lose blood; deep folds the shader reddens.
 _FOLDED = {"forehead": -0.8, "wing": 0.0, "sneer": 0.0}
-_LEAST, _MOST = f4(-0.12), f4(0.45)  # of the usual haemoglobin that skin gains, whatever its area
+LEAST, MOST = f4(-0.12), f4(0.45)  # of the usual haemoglobin that skin gains, whatever its area
 _PRESSED = 0.7  # of the lips' blood that the greatest pressure drives out
 _YIELDING = 0.35  # activation of the presser at which two thirds of that is gone
 _PRESSER = INDEX["orbicularis_oris_presser"]
-_ROUNDS = 2  # of smoothing on the coarse skin
+ROUNDS = 2  # of smoothing on the coarse skin
 _HIDDEN = ("inner_mouth", "lids", "garment")
 _NEGLIGIBLE = 0.004  # a quad with a smaller share of a vertex's area is left out
 
@@ -55,14 +55,25 @@ class _Rows(NamedTuple):
         return cls(matrix.indptr.astype(np.uint32), short(matrix.indices), matrix.data.astype(np.float32))
 
 
+class SkinBlood(NamedTuple):
+    """How blood shows at each vertex of the skin (N1,).
+
+    flesh   how much of the change is seen, outside the lips; `lips` on them
+    folded  the part of its gain that skin gets where it is bunched, -1 to 1
+    """
+
+    flesh: Array
+    lips: Array
+    folded: Array
+
+
 class Perfusion:
     """The colours of one head's skin as its blood moves; keeps a workspace."""
 
     def __init__(self, head: Head, looks: Looks, albedo: Float32Array) -> None:
         """Prepare for the skin's `albedo` (N1, 3) at rest; the looks' `flush` scales the change."""
-        shown = looks.flush * _shown(head)
-        lips = smoothstep(0.25, 0.75, np.asarray(head.skin.matrix @ head.masks["lips"]))
-        here = np.flatnonzero(shown > 0.0)
+        blood = skin_blood(head, looks)
+        here = np.flatnonzero(blood.flesh + blood.lips > 0.0)
         quads = head.quads.astype(np.uint32)
         area = np.zeros(len(quads), np.float32)
         _measure(np.asarray(head.skin.matrix @ head.rest, np.float32), quads, np.ones_like(area), area)
@@ -70,8 +81,7 @@ class Perfusion:
         near = np.unique(fine.indices)  # the coarse vertices that count
         self._tables = _Rows.of(_smoothed(head, area)[near]), _Rows.of(fine[:, near])
         self._quads, self._area, self._vertices = quads, area, here.astype(np.uint32)
-        self._folded = _folded(head)[here].astype(np.float32)
-        self._flesh, self._lips = ((shown * part)[here].astype(np.float32) for part in (1.0 - lips, lips))
+        self._flesh, self._lips, self._folded = (part[here].astype(np.float32) for part in blood)
         self._albedo = np.ascontiguousarray(albedo[here])
         self._share, self._gain = np.zeros(len(quads), np.float32), np.zeros(len(near), np.float32)
 
@@ -83,7 +93,6 @@ class Perfusion:
 
     def colour(self, frame: FaceFrame, attributes: Float32Array) -> None:
         """Write the albedo of the skin in a frame to its `attributes` (N1 or more, ATTRIBUTES)."""
-        pressure = max(float(frame.parameters[_PRESSER]), 0.0)
         to_coarse, to_fine = self._tables
         _measure(frame.skin, self._quads, self._area, self._share)
         _average(*to_coarse, self._share, self._gain)
@@ -94,10 +103,23 @@ class Perfusion:
             self._folded,
             self._flesh,
             self._lips,
-            f4(_PRESSED * math.expm1(-pressure / _YIELDING)),
+            f4(gained_by_lips(frame)),
             self._albedo,
             attributes,
         )
+
+
+def skin_blood(head: Head, looks: Looks) -> SkinBlood:
+    """Return how blood shows; the looks' `flush` scales it."""
+    shown = looks.flush * _shown(head)
+    lips = smoothstep(0.25, 0.75, np.asarray(head.skin.matrix @ head.masks["lips"]))
+    return SkinBlood(shown * (1.0 - lips), shown * lips, _folded(head))
+
+
+def gained_by_lips(frame: FaceFrame) -> float:
+    """Return how much of their usual blood lips gain: less than 0 where they are pressed together."""
+    pressure = max(float(frame.parameters[_PRESSER]), 0.0)
+    return _PRESSED * math.expm1(-pressure / _YIELDING)
 
 
 def _shown(head: Head) -> Array:
@@ -124,7 +146,7 @@ def _smoothed(head: Head, area: Float32Array) -> sp.csr_matrix:
     around = sp.csr_matrix((np.ones(len(owner)), (quads.ravel(), owner)), shape=(count, len(quads)))
     beside = sp.csr_matrix(around @ around.T > 0, dtype=np.float64)
     total = around
-    for _ in range(_ROUNDS):
+    for _ in range(ROUNDS):
         total = beside @ total
     total = sp.csr_matrix(total @ sp.diags(area.astype(np.float64)))
     total = sp.diags(1.0 / np.asarray(total.sum(axis=1)).ravel()) @ total
@@ -152,7 +174,7 @@ def _average(
         mean = f4(0)
         for e in range(start[i], start[i + 1]):
             mean += weight[e] * share[column[e]]
-        out[i] = min(max(f4(1) / max(mean, f4(0.1)) - f4(1), _LEAST), _MOST)
+        out[i] = min(max(f4(1) / max(mean, f4(0.1)) - f4(1), LEAST), MOST)
 
 
 @fast_kernel
@@ -177,6 +199,6 @@ def _paint(
             more *= folded[k]
         of_skin, of_lips = flesh[k] * more, lips[k] * pressed
         for c in range(3):
-            half = f4(0.5) * (_SKIN[c] * of_skin + _LIPS[c] * of_lips)
+            half = f4(0.5) * (SKIN_ABSORBS[c] * of_skin + LIPS_ABSORB[c] * of_lips)
             # Nearly exp(−2 half), for a fraction of its cost.
             attributes[vertices[k], ALBEDO + c] = albedo[k, c] * (f4(1) - half) / (f4(1) + half)

@@ -2,7 +2,8 @@
 
 Little-endian. Header of 6 uint32: kind (1 a take's frames, 2 a dialled face, 3 the face at a time), take (or
 the request's number), first frame, count, vertices per frame, floats of pose per frame. Then the poses,
-float32 (count, 13): quaternions x, y, z, w of head, left eye and right eye, and the jaw's angle in radians.
+float32 (count, 14): quaternions x, y, z, w of head, left eye and right eye, the jaw's angle in radians, and
+how much blood the lips gain, of the usual.
 Then the positions, int16 (count, vertices, 3): `origin + step * value` mm in the head's frame, before the
 head turns. The vertices are those of `parts` in order, as the meshes of the head's file have them.
 """
@@ -19,15 +20,16 @@ from ..face.frame import FaceFrame
 from ..face.head import Head
 from ..looks.head_model import FACIAL_HAIRS, head_model
 from ..looks.parts import Part
+from ..looks.perfusion import gained_by_lips
 from ..looks.srgb import linear
 from .glb_scene import riding
 from .gltf import quaternions
-from .head_shade import light
+from .head_shade import blood, light
 from .stage_table import StagePart, StageTable
 
 FRAMES, DIALLED, MOMENT = 1, 2, 3
 HEADER = struct.Struct("<6I")
-POSE = 13
+POSE = 14
 STEP = 0.01
 _OWN = ("skin", "tongue", "teeth_lower")
 PARTS = (*_OWN, *FACIAL_HAIRS)
@@ -66,6 +68,7 @@ class FacePacker:
             lips=tuple((int(upper), int(lower)) for upper, lower in self.head.lip_pairs),
             light=light(),
             cloth=_place(linear(self.head.identity.looks.cloth)),
+            blood=blood(),
             parts=self.parts,
         )
 
@@ -86,9 +89,9 @@ class FacePacker:
 
 
 def pose_of(face: FaceFrame) -> Float32Array:
-    """Return how a face's head, eyes and jaw are turned, shape (POSE,)."""
+    """Return how a face's head, eyes and jaw are turned, and the blood of its lips, shape (POSE,)."""
     turns = quaternions([face.head_rotation, *face.eye_rotation]).ravel()
-    return np.concatenate([turns, np.array([face.jaw_angle], np.float32)])
+    return np.concatenate([turns, np.array([face.jaw_angle, gained_by_lips(face)], np.float32)])
 
 
 def _place(point: Array) -> tuple[float, float, float]:

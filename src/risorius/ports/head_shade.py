@@ -7,11 +7,13 @@ import numpy as np
 from ..face.head import Head
 from ..looks.anatomy import find_anatomy
 from ..looks.garment import neckline
+from ..looks.perfusion import LEAST, LIPS_ABSORB, MOST, SKIN_ABSORBS, skin_blood
 from ..render.lights import STUDIO
 from ..render.resting import light_at_rest
-from .stage_table import StageLamp, StageLight
+from .stage_table import StageBlood, StageLamp, StageLight
 
 HEM_STEPS = 4.0
+BLOOD_STEPS = 127.0
 
 
 def light() -> StageLight:
@@ -20,13 +22,22 @@ def light() -> StageLight:
     return StageLight(lamps, STUDIO.sky, STUDIO.ground)
 
 
-def shade(head: Head) -> bytes:
-    """Return what each vertex of the skin sees at rest of its surroundings and of each lamp, and the cloth.
+def blood() -> StageBlood:
+    """Return how skin changes its colour."""
+    (red, green, blue), lips = SKIN_ABSORBS, LIPS_ABSORB
+    skin = float(red), float(green), float(blue)
+    return StageBlood(skin, (float(lips[0]), float(lips[1]), float(lips[2])), float(LEAST), float(MOST))
 
-    uint8 (vertices, 1 + lamps + 1): 255 for all of the light; the last is 128 at the neckline, one more
-    for each 1 / HEM_STEPS mm into the cloth that is worn.
+
+def shade(head: Head) -> bytes:
+    """Return what each vertex of the skin sees at rest of its surroundings and of each lamp, cloth and blood.
+
+    uint8 (vertices, 1 + lamps + 1 + 3): 255 for all of the light; then 128 at the neckline, one more for each
+    1 / HEM_STEPS mm into the cloth that is worn; then how blood shows in skin, in lips, and where skin is
+    bunched (`SkinBlood`), one for each 1 / BLOOD_STEPS, the last from 128 on.
     """
     shares = light_at_rest(head, STUDIO)
     hem = 128.0 + HEM_STEPS * neckline(find_anatomy(head)).astype(np.float32)[:, None]
-    columns = np.concatenate([255.0 * shares.clip(0.0, 1.0), hem.clip(0.0, 255.0)], axis=1)
-    return np.round(columns).astype(np.uint8).tobytes()
+    shown = BLOOD_STEPS * np.stack(skin_blood(head, head.identity.looks), axis=1) + np.array([0, 0, 128])
+    columns = np.concatenate([255.0 * shares.clip(0.0, 1.0), hem, shown], axis=1)
+    return np.round(columns.clip(0.0, 255.0)).astype(np.uint8).tobytes()

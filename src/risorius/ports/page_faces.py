@@ -26,7 +26,7 @@ STEP = COARSER * face_packer.STEP
 
 
 class PackedFaces:
-    """The chunks, as they are packed, and the poses of all faces, float32 of shape (frames, 13)."""
+    """The chunks, as they are packed, and the poses of all faces, float32 of shape (frames, POSE)."""
 
     def __init__(self, packer: FacePacker, faces: Iterable[FaceFrame]) -> None:
         self._packer = packer

@@ -33,6 +33,20 @@ class StageLight:
 
 
 @dataclass(frozen=True, slots=True)
+class StageBlood:
+    """How skin changes its colour, as `looks/perfusion.py` says it.
+
+    What the usual blood absorbs of red, green and blue in skin and in lips, and the least and the most that
+    moving skin gains of the usual blood.
+    """
+
+    skin: tuple[float, float, float]
+    lips: tuple[float, float, float]
+    least: float
+    most: float
+
+
+@dataclass(frozen=True, slots=True)
 class StageTable:
     """`GET /api/stage`: how faces are unpacked: `origin + step * value` mm; `pose` floats a face; mm.
 
@@ -49,4 +63,5 @@ class StageTable:
     lips: tuple[tuple[int, int], ...]
     light: StageLight
     cloth: tuple[float, float, float]
+    blood: StageBlood
     parts: tuple[StagePart, ...]

@@ -2,7 +2,18 @@
 
 from __future__ import annotations
 
+import base64
+
+import numpy as np
 import pytest
+
+from risorius.face.solve import FaceSolver
+from risorius.looks.attributes import ALBEDO
+from risorius.looks.head_model import head_model
+from risorius.looks.perfusion import LIPS_ABSORB, SKIN_ABSORBS, Perfusion
+from risorius.ports.face_packer import DIALLED
+from risorius.rules.poses import pose_values
+from risorius.studio.solvers import stage_of
 
 from .driving import Page
 
@@ -224,6 +235,40 @@ def test_strands_know_where_they_run_and_their_breadth(page: Page) -> None:
     up, left, front = [0, 1, 0], [-1, 0, 0], [0, 0, 1]
     assert along == [*up * 2, *left * 4, *front * 6]
     assert across == [-1, 0, 0, 1, 0, 0] * 6
+
+
+def test_the_page_moves_blood_as_the_library_does(page: Page) -> None:
+    """A smile's cheeks, raised brows and pressed lips have the colours of the library's own pictures."""
+    stage = stage_of("standard")
+    solver = FaceSolver(stage.head)
+    face = solver.solve(pose_values({"AU1": 1.0, "AU2": 1.0, "AU6": 1.0, "AU12": 0.5, "AU24": 0.8}, {}))
+    gained, share, lips = page.run(
+        """
+        const THREE = await import("/web/vendor/three/three.module.min.js");
+        const { buildFigure } = await import("/web/stage/figure.js");
+        const { unpackFaces } = await import("/web/stage/faces.js");
+        const asked = (name) => fetch(`/api/${name}?head=standard`);
+        const packing = await (await asked("stage")).json();
+        const file = await (await asked("head")).arrayBuffer();
+        const shade = await (await asked("shade")).arrayBuffer();
+        const figure = await buildFigure(file, packing, new Uint8Array(shade), new THREE.Texture());
+        const { faces } = unpackFaces(Uint8Array.from(atob(arguments[0]), (c) => c.charCodeAt(0)).buffer);
+        figure.show(faces[0], faces[0], 0);
+        const moved = figure.skin.length;
+        const { geometry, material } = figure.group.children.find((mesh) => mesh.geometry?.attributes.gained);
+        const { gained, lipsShare } = geometry.attributes;
+        return moved && [[...gained.array], [...lipsShare.array], material.userData.lipsGain.value];
+        """,
+        base64.b64encode(stage.packed(DIALLED, 1, 0, [face])).decode(),
+    )
+    skin = head_model(stage.head).solids["skin"].attributes
+    painted = skin.copy()
+    Perfusion(stage.head, stage.head.identity.looks, skin[:, ALBEDO : ALBEDO + 3]).colour(face, painted)
+    expected = painted[:, ALBEDO : ALBEDO + 3] / skin[:, ALBEDO : ALBEDO + 3]
+    half = 0.5 * (np.outer(gained, SKIN_ABSORBS) + np.outer(np.array(share) * lips, LIPS_ABSORB))
+    assert expected.min() < 0.95
+    assert expected.max() > 1.1
+    np.testing.assert_allclose((1.0 - half) / (1.0 + half), expected, atol=0.012)
 
 
 def test_a_head_that_is_held_does_not_come_to_rest(page: Page) -> None:

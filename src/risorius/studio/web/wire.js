@@ -881,6 +881,16 @@
  * @property {[number, number, number]} colour
  */
 /**
+ * How skin changes its colour, as `looks/perfusion.py` says it.
+ * What the usual blood absorbs of red, green and blue in skin and in lips, and the least and the most that
+ * moving skin gains of the usual blood.
+ * @typedef {Object} StageBlood
+ * @property {[number, number, number]} skin
+ * @property {[number, number, number]} lips
+ * @property {number} least
+ * @property {number} most
+ */
+/**
  * The light that a head is drawn in: lamps, and the linear ambient light from above and below.
  * @typedef {Object} StageLight
  * @property {Array<StageLamp>} lamps
@@ -901,6 +911,7 @@
  * @property {Array<[number, number]>} lips
  * @property {StageLight} light
  * @property {[number, number, number]} cloth
+ * @property {StageBlood} blood
  * @property {Array<StagePart>} parts
  */
 /** @typedef {"open" | "perform" | "prepare" | "draft" | "stop" | "choose" | "relabel" | "edit_all" | "preview_all" | "markers" | "lanes" | "bring_back" | "let_go" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */

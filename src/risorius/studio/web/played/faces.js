@@ -74,6 +74,7 @@ export class PlayedFaces {
   #face(points, frame) {
     const { pose } = this.#facts.stage;
     const turns = this.#poses.subarray(frame * pose, (frame + 1) * pose);
-    return { points, head: turns.subarray(0, 4), eyes: [turns.subarray(4, 8), turns.subarray(8, 12)], jaw: turns[12], frame };
+    const eyes = [turns.subarray(4, 8), turns.subarray(8, 12)];
+    return { points, head: turns.subarray(0, 4), eyes, jaw: turns[12], lips: turns[13], frame };
   }
 }

@@ -7,8 +7,8 @@ export const KINDS = { take: 1, dial: 2, moment: 3 };
 const HEADER = 6;
 
 /**
- * @typedef {{points: Int16Array, head: Float32Array, eyes: Float32Array[], jaw: number, frame: number}} Face
- * `points` are steps from the origin that the head's description states; turns are quaternions x, y, z, w.
+ * @typedef {{points: Int16Array, head: Float32Array, eyes: Float32Array[], jaw: number, lips: number, frame: number}} Face
+ * `lips` is how much blood these gain; `points` are steps from the origin that the head's description states; turns are quaternions x, y, z, w.
  */
 
 /**
@@ -27,6 +27,7 @@ export function unpackFaces(buffer) {
       head: turns.subarray(0, 4),
       eyes: [turns.subarray(4, 8), turns.subarray(8, 12)],
       jaw: turns[12],
+      lips: turns[13],
       frame: kind === KINDS.take ? first + k : -1,
     };
   });

@@ -6,8 +6,9 @@
  */
 
 import * as THREE from "../vendor/three/three.module.min.js";
+import { Blood } from "./blood.js";
 import { lighterOf, shade as shadeAnew } from "./detail.js";
-import { MM, geometryOf, irisTexture, lightOf, neckColour, neckShare } from "./geometry.js";
+import { MM, bloodOf, geometryOf, irisTexture, lightOf, neckColour, neckShare } from "./geometry.js";
 import { readGlb } from "./glb.js";
 import { HAIRS } from "./hair.js";
 import { lightBetween, slitsOf } from "./lips.js";
@@ -23,8 +24,8 @@ const MOUTH = ["teeth_upper", "teeth_lower", "tongue"];
 /**
  * @param {ArrayBuffer} file the head as binary glTF
  * @param {StageTable} packing how faces of this head are packed, as the server describes it
- * @param {Uint8Array} shade what each vertex of the skin sees at rest of its surroundings and of each lamp, and how far
- *   it is from the neckline, (vertices, 1 + lamps + 1) as `head_shade.py` packs it
+ * @param {Uint8Array} shade what each vertex of the skin sees at rest of its surroundings and of each lamp, how far it
+ *   is from the neckline, and how its blood shows, as `head_shade.py` packs it
  * @param {THREE.Texture} mirrored what the eyes mirror
  */
 export async function buildFigure(file, packing, shade, mirrored) {
@@ -55,6 +56,8 @@ export class Figure {
   /** @type {Map<Mesh, Order>} */
   #hairs = new Map();
   #slits;
+  /** @type {Blood} */
+  #blood;
 
   /** @param {HeadFile} glb @param {StageTable} packing @param {Uint8Array} shade @param {Pictures} pictures */
   constructor(glb, packing, shade, pictures) {
@@ -68,6 +71,7 @@ export class Figure {
     for (const [name, mesh] of Object.entries(glb.meshes)) this.#add(name, mesh, places[name], pictures);
     this.#placeMouth();
     this.#light(shade);
+    this.#blood = this.#perfuse(shade);
     this.#slits = slitsOf(packing.lips, this.#points);
     this.#lightMouth();
     this.#prepareLighter();
@@ -154,7 +158,7 @@ export class Figure {
   #add(name, data, translation, pictures) {
     const moves = this.#packing.parts.some((part) => part.name === name);
     const geometry = geometryOf(data, moves);
-    const material = materialOf(data.material.name, { ...pictures, cloth: this.#packing.cloth });
+    const material = materialOf(data.material.name, { ...pictures, cloth: this.#packing.cloth, blood: this.#packing.blood });
     const mesh = new THREE.Mesh(geometry, material);
     mesh.frustumCulled = false;
     mesh.renderOrder = name === "skin" ? 0 : 1; // what it hides need not be shaded
@@ -175,6 +179,7 @@ export class Figure {
     turn(this.#head.quaternion, a.head, b.head, share);
     for (const part of this.#packing.parts) this.#place(part, a.points, b.points, share);
     this.#lightMouth();
+    this.#meshes.skin.material.userData.lipsGain.value = a.lips + share * (b.lips - a.lips);
     this.#eyes.forEach((eye, side) => turn(eye.quaternion, a.eyes[side], b.eyes[side], share));
   }
 
@@ -185,6 +190,17 @@ export class Figure {
       geometry.setAttribute(name, attribute);
     }
     material.userData.neck.value.copy(neckColour(/** @type {Record<string, THREE.BufferAttribute>} */ (geometry.attributes)));
+  }
+
+  /** Have the skin know how its blood shows. @param {Uint8Array} shade */
+  #perfuse(shade) {
+    const { geometry } = this.#meshes.skin;
+    const shown = bloodOf(shade, geometry.attributes.position.count);
+    geometry.setAttribute("lipsShare", new THREE.BufferAttribute(shown.lips, 1));
+    const gained = new THREE.BufferAttribute(new Float32Array(shown.lips.length), 1);
+    geometry.setAttribute("gained", gained.setUsage(THREE.DynamicDrawUsage));
+    const index = /** @type {Uint32Array} */ (/** @type {THREE.BufferAttribute} */ (geometry.index).array);
+    return new Blood(index, this.#points, shown, this.#packing.blood);
   }
 
   /** @param {StagePart} part @param {Int16Array} a @param {Int16Array} b @param {number} share */
@@ -198,7 +214,10 @@ export class Figure {
         points[k] = u * a[from] + v * b[from] + shift;
       }
     }
-    if (name === "skin") this.#bendNeck(points);
+    if (name === "skin") {
+      this.#blood.flow(points, /** @type {Float32Array} */ (this.#meshes.skin.geometry.attributes.gained.array));
+      this.#bendNeck(points);
+    }
     this.#stale.add(name);
   }
 
@@ -226,8 +245,10 @@ export class Figure {
   #moved(name) {
     const { geometry } = this.#meshes[name];
     const lighter = this.#fine ? null : this.#lighter[name];
-    lighter?.take("position");
-    geometry.attributes.position.needsUpdate = !lighter;
+    for (const moving of name === "skin" ? ["position", "gained"] : ["position"]) {
+      lighter?.take(moving);
+      geometry.attributes[moving].needsUpdate = !lighter;
+    }
     if (!HAIRS.includes(name)) shadeAnew(lighter ? lighter.mesh.geometry : geometry);
   }
 

@@ -7,20 +7,21 @@ export const MM = 1000;
 const NAMES = { POSITION: "position", NORMAL: "normal", TEXCOORD_0: "uv", COLOR_0: "color", _LIGHT: "shaded" };
 const LAMPS = 4;
 const HEM_STEPS = 4; // a millimetre
+const BLOOD_STEPS = 127;
+const BYTES = 1 + LAMPS + 1 + 3; // of a vertex
 const ABOVE = [-20, -6]; // mm into the cloth where the neck's colour is taken
 
 /**
  * What each vertex of the skin sees of its surroundings and of each lamp, and its way to the neckline in mm.
- * @param {Uint8Array} seen (count, 1 + lamps + 1) as `head_shade.py` packs it
+ * @param {Uint8Array} seen (count, BYTES) as `head_shade.py` packs it
  * @param {number} count of the vertices
  * @returns {{free: THREE.BufferAttribute, reach: THREE.BufferAttribute, hem: THREE.BufferAttribute}}
  */
 export function lightOf(seen, count) {
   const [free, reach] = [new Uint8Array(count), new Uint8Array(LAMPS * count)];
   const hem = new Float32Array(count);
-  const width = seen.length / count;
   for (let vertex = 0; vertex < count; vertex++) {
-    const [first, last] = [vertex * width, (vertex + 1) * width - 1];
+    const [first, last] = [vertex * BYTES, vertex * BYTES + 1 + LAMPS];
     free[vertex] = seen[first];
     reach.set(seen.subarray(first + 1, last), LAMPS * vertex);
     hem[vertex] = (seen[last] - 128) / HEM_STEPS;
@@ -30,6 +31,17 @@ export function lightOf(seen, count) {
     reach: new THREE.BufferAttribute(reach, LAMPS, true),
     hem: new THREE.BufferAttribute(hem, 1),
   };
+}
+
+/**
+ * How blood shows at each vertex of the skin.
+ * @param {Uint8Array} seen as for `lightOf` @param {number} count of the vertices
+ */
+export function bloodOf(seen, count) {
+  /** @param {number} place among a vertex' bytes @param {number} none */
+  const column = (place, none) =>
+    Float32Array.from({ length: count }, (_, vertex) => (seen[vertex * BYTES + place] - none) / BLOOD_STEPS);
+  return { flesh: column(LAMPS + 2, 0), lips: column(LAMPS + 3, 0), folded: column(LAMPS + 4, 128) };
 }
 
 /** The mean colour of the skin just above the cloth. @param {Record<string, THREE.BufferAttribute>} attributes */

@@ -8,17 +8,19 @@ import * as THREE from "../vendor/three/three.module.min.js";
 import { HAIRS, hairMaterial } from "./hair.js";
 import { patch } from "./patch.js";
 import { skinMaterial } from "./skin.js";
+/** @import {StageBlood} from "../wire.js" */
 
 const MOUTH = ["teeth", "tongue"];
 
 /**
  * @param {string} name of the piece's material in the head's file
- * @param {{iris: THREE.Texture, mirrored: THREE.Texture, cloth: number[]}} pictures and the linear colour of cloth
+ * @param {{iris: THREE.Texture, mirrored: THREE.Texture, cloth: number[], blood: StageBlood}} pictures, the
+ *   linear colour of cloth, and what blood absorbs
  * @returns {THREE.Material}
  */
 export function materialOf(name, pictures) {
   if (name === "eye") return eyeMaterial(pictures);
-  if (name === "skin") return skinMaterial(pictures.cloth);
+  if (name === "skin") return skinMaterial(pictures.cloth, pictures.blood);
   if (HAIRS.includes(name)) return hairMaterial();
   const material = new THREE.MeshLambertMaterial({ vertexColors: true });
   if (MOUTH.includes(name)) hidden(material);

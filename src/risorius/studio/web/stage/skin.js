@@ -3,6 +3,7 @@
 import * as THREE from "../vendor/three/three.module.min.js";
 import { patch } from "./patch.js";
 import { quickened } from "./quick.js";
+/** @import {StageBlood} from "../wire.js" */
 
 // Light goes round the edge of shadow in skin, red farthest: widths of that edge, by colour.
 const WRAP = "vec3( 0.30, 0.13, 0.08 )";
@@ -32,11 +33,20 @@ uniform vec3 neck;
 varying float roomFree;
 varying vec4 lampReach;
 varying vec2 worn; // mm into the cloth, and the share that the colour has of it
+varying vec3 perfused;
+`;
+// Nearly exp( - 2 half_ ): how much of each colour the blood leaves that a place gains.
+const BLOOD = `
+attribute float gained;
+attribute float lipsShare;
+uniform vec3 skinAbsorbs;
+uniform vec3 lipsAbsorb;
+uniform float lipsGain;
 `;
 const WORN_OVER = "10.0"; // mm over which the file's colours go from skin to cloth
 
 // Where the colour has the cloth's in it, skin is of the neck's.
-const BARE = "vec3 bare = mix( vColor.rgb, neck, smoothstep( 0.0, 0.35, worn.y ) );";
+const BARE = "vec3 bare = mix( vColor.rgb * perfused, neck, smoothstep( 0.0, 0.35, worn.y ) );";
 
 // The skin ends at the neckline, within a triangle too: the file's colours go over into the cloth's. It is shaded
 // where the collar begins.
@@ -50,13 +60,15 @@ const CUT = `
 /** @type {{vertex: any, fragment: any, light: any}} shader text in place of three's */
 const SKIN = {
   vertex: [
-    ["#include <common>", `attribute float free;\nattribute vec4 reach;\nattribute float hem;\n${CARRIED}`],
+    ["#include <common>", `attribute float free;\nattribute vec4 reach;\nattribute float hem;\n${BLOOD}${CARRIED}`],
     [
       "#include <begin_vertex>",
       `#include <begin_vertex>
       roomFree = free;
       lampReach = reach;
-      worn = vec2( hem, clamp( 0.5 + hem / ${WORN_OVER}, 0.0, 1.0 ) );`,
+      worn = vec2( hem, clamp( 0.5 + hem / ${WORN_OVER}, 0.0, 1.0 ) );
+      vec3 half_ = 0.5 * ( skinAbsorbs * gained + lipsAbsorb * lipsShare * lipsGain );
+      perfused = ( 1.0 - half_ ) / ( 1.0 + half_ );`,
     ],
   ],
   fragment: [
@@ -87,14 +99,17 @@ void main() {
 };
 
 /**
- * @param {number[]} cloth its linear colour
- * @returns {THREE.Material} whose `userData` has the colour of its `neck`, and as `quick` the material for motion
+ * @param {number[]} cloth its linear colour @param {StageBlood} blood what it absorbs
+ * @returns {THREE.Material} whose `userData` has the colour of its `neck`, and as `quick` the material for motion;
+ *   `lipsGain` is how much blood the lips gain
  */
-export function skinMaterial(cloth) {
+export function skinMaterial(cloth, blood) {
   const material = new THREE.MeshLambertMaterial({ vertexColors: true });
   const neck = { value: new THREE.Color() };
-  const uniforms = { neck, cloth: { value: new THREE.Color().fromArray(cloth) } };
-  material.userData.neck = neck;
+  const lipsGain = { value: 0 };
+  const [skinAbsorbs, lipsAbsorb] = [blood.skin, blood.lips].map((absorbs) => ({ value: new THREE.Vector3(...absorbs) }));
+  const uniforms = { neck, cloth: { value: new THREE.Color().fromArray(cloth) }, skinAbsorbs, lipsAbsorb, lipsGain };
+  Object.assign(material.userData, { neck, lipsGain });
   patch(material, SKIN, uniforms);
   material.userData.quick = quickened(material, SKIN, QUICK, uniforms);
   return material;

@@ -1,0 +1,122 @@
+/**
+ * Blood in the skin of a moving face, as `looks/perfusion.py` says it: where skin gathers it reddens, where it is
+ * stretched it pales. The haemoglobin of a patch is kept while its area changes. Areas are those of the quads that the
+ * drawn ones are a finer level of (`subdivide.py`), smoothed.
+ */
+
+/** @import {StageBlood} from "../wire.js" */
+
+const ROUNDS = 2;
+const FINE = 24; // numbers of the index for each of the coarse quads: four quads of two triangles
+
+export class Blood {
+  #quads;
+  #parents;
+  #beside;
+  #usual;
+  #shown;
+  #limits;
+  #areas;
+  #between;
+
+  /**
+   * @param {Uint32Array} index the skin's triangles @param {Float32Array} points of the skin at rest
+   * @param {{flesh: Float32Array, folded: Float32Array}} shown how blood shows at each vertex
+   * @param {StageBlood} limits of what skin gains
+   */
+  constructor(index, points, shown, { least, most }) {
+    this.#shown = shown;
+    this.#limits = { least, most };
+    this.#quads = quadsOf(index);
+    this.#parents = parentsOf(index, points.length / 3);
+    const count = index.reduce((first, vertex, k) => (k % 6 === 1 ? Math.min(first, vertex) : first), Infinity);
+    this.#beside = besideOf(this.#quads, count);
+    this.#areas = new Float32Array(count);
+    this.#between = new Float32Array(count);
+    this.#usual = this.#smoothed(points).slice();
+  }
+
+  /**
+   * @param {Float32Array} points of the skin, before the head turns
+   * @param {Float32Array} gained how much blood each vertex gains, of the usual: filled
+   */
+  flow(points, gained) {
+    const { flesh, folded } = this.#shown;
+    const { least, most } = this.#limits;
+    const gain = this.#smoothed(points);
+    for (let v = 0; v < gain.length; v++) {
+      gain[v] = Math.min(Math.max(this.#usual[v] / Math.max(gain[v], 0.1 * this.#usual[v]) - 1, least), most);
+    }
+    for (let v = 0, k = 0; v < gained.length; v++, k += 4) {
+      if (flesh[v] === 0) continue;
+      const [p, parents] = [0.25, this.#parents];
+      const more = p * (gain[parents[k]] + gain[parents[k + 1]] + gain[parents[k + 2]] + gain[parents[k + 3]]);
+      gained[v] = flesh[v] * (more > 0 ? folded[v] * more : more);
+    }
+  }
+
+  /** The areas of the quads about each coarse vertex, and about those beside it. @param {Float32Array} points */
+  #smoothed(points) {
+    let [now, next] = [this.#areas, this.#between];
+    const { starts, ends } = this.#beside;
+    now.fill(0);
+    for (let k = 0; k < this.#quads.length; k += 4) {
+      const area = areaOf(points, this.#quads, k);
+      for (let corner = k; corner < k + 4; corner++) now[this.#quads[corner]] += area;
+    }
+    for (let round = 0; round < ROUNDS; round++) {
+      for (let v = 0; v < now.length; v++) {
+        let sum = 0;
+        for (let k = starts[v]; k < starts[v + 1]; k++) sum += now[ends[k]];
+        next[v] = sum;
+      }
+      [now, next] = [next, now];
+    }
+    return now;
+  }
+}
+
+/** Twice the area of a quad, by its diagonals. @param {Float32Array} points @param {Uint32Array} quads @param {number} k */
+function areaOf(points, quads, k) {
+  const [a, b, c, d] = [3 * quads[k], 3 * quads[k + 1], 3 * quads[k + 2], 3 * quads[k + 3]];
+  const [ux, uy, uz] = [points[c] - points[a], points[c + 1] - points[a + 1], points[c + 2] - points[a + 2]];
+  const [vx, vy, vz] = [points[d] - points[b], points[d + 1] - points[b + 1], points[d + 2] - points[b + 2]];
+  const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+  return Math.sqrt(x * x + y * y + z * z);
+}
+
+/** The corners of the coarse quads: each fine one begins with a corner. @param {Uint32Array} index */
+function quadsOf(index) {
+  return Uint32Array.from({ length: (4 * index.length) / FINE }, (_, k) => index[6 * k]);
+}
+
+/**
+ * The four coarse vertices that each vertex lies between: one at a corner, two on an edge, four in a quad's midst.
+ * @param {Uint32Array} index @param {number} count of vertices
+ */
+function parentsOf(index, count) {
+  const parents = new Uint32Array(4 * count);
+  const known = new Uint8Array(count);
+  for (let k = 0; k < index.length; k += 6) {
+    const [corner, edge, centre, other] = [index[k], index[k + 1], index[k + 2], index[k + 5]];
+    parents.fill(corner, 4 * corner, 4 * corner + 4);
+    for (const v of [edge, centre, other]) parents[4 * v + known[v]++] = corner;
+  }
+  // An edge at the border has one quad alone, and each end once.
+  known.forEach((found, v) => found === 2 && parents.copyWithin(4 * v + 2, 4 * v, 4 * v + 2));
+  return parents;
+}
+
+/**
+ * The vertices that share a quad with vertex v, itself too: `ends[starts[v]] … ends[starts[v + 1] - 1]`.
+ * @param {Uint32Array} quads @param {number} count
+ */
+function besideOf(quads, count) {
+  const sets = Array.from({ length: count }, () => new Set());
+  for (let k = 0; k < quads.length; k += 4) {
+    for (let a = k; a < k + 4; a++) for (let b = k; b < k + 4; b++) sets[quads[a]].add(quads[b]);
+  }
+  const starts = new Uint32Array(count + 1);
+  sets.forEach(({ size }, v) => (starts[v + 1] = starts[v] + size));
+  return { starts, ends: Uint32Array.from(sets.flatMap((set) => [...set])) };
+}
