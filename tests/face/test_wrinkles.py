@@ -120,6 +120,12 @@ def test_a_surprise_leaves_the_chin_and_cheeks_alone(old):
     assert moving[INDEX["glabella"]] < 0.05
 
 
+def test_mentalis_alone_puckers_the_chin(young):
+    assert tallest(young, {"mentalis": 1.0})[INDEX["chin"]] > 0.1
+    for muscle in ("orbicularis_oris_funneler", "depressor_labii"):
+        assert tallest(young, {muscle: 1.0})[INDEX["chin"]] == 0.0
+
+
 def test_stretched_skin_folds_no_more_and_opens_its_creases(old):
     still, stretched = tallest(old, {}), tallest(old, {"masseter": 1.0})
     # The lower end of the nasolabial fold is pushed by the corner of the mouth; the cheek narrows beside it.

@@ -148,7 +148,8 @@ class Dimples:
     offset: float
     spacing: Spacing
     size: tuple[Spacing, Spacing]
-    compression: Vector
+    muscle: str
+    gathers: Share
 
     def chart(self, marks: Marks, places: Array) -> Chart:
         """Return the region on `places` (n, 3); its phase is 0."""
@@ -156,7 +157,7 @@ class Dimples:
         return Chart(
             np.zeros(len(places)),
             spot(places, centre, self.size),
-            np.tile(_unit(self.compression), (len(places), 1)),
+            np.zeros_like(places),
         )
 
 

@@ -184,5 +184,5 @@ class FaceSolver:
         for lids in self._lids:
             lids.keep_off(self._fine)
         self._teeth.keep_out(self._fine, values[_JAW])
-        self._wrinkles.fold(skin, self._fine, buffers.wrinkles)
+        self._wrinkles.fold(skin, self._fine, values, buffers.wrinkles)
         without_fourth(self._fine, buffers.skin)

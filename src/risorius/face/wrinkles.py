@@ -8,16 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
 from ..core.arrays import Array, Float32Array, IntArray, UInt32Array
 from ..core.kernels.jit import device, kernel
+from ..core.parameters import INDEX, parameters_named
 from .ageing import DEFAULT_AGE, SkinAge, skin_at
 from .bulges import Bulges
 from .compression import Compression
 from .head import Head
-from .layouts import Fold
+from .layouts import Dimples, Fold
 from .marks import Marks
 from .regions import PlacedRegion, check_factors, place_regions
 
@@ -47,12 +49,15 @@ class Wrinkles:
         self._law = _law(placed, skin, factor, Marks.of(head).unit)
         self._relief = np.concatenate([_relief(p)[p.zone.mask > 0.0] for p in placed])
         self._stretch = np.empty(len(rows.row_vertex))
+        self._drawn_in = [_DrawnIn.of(p, z, rows.row_zone) for z, p in enumerate(placed) if _draws_in(p)]
         self._lift = np.zeros(head.skin.matrix.shape[0])
         self.shape = (head.skin.matrix.shape[0], len(placed))
         self._raised = _Raised(head, np.union1d(rows.row_vertex[self._relief != 0.0], self._bulges.vertices))
 
-    def fold(self, skin: Array, fine: Array, heights: Float32Array) -> None:
+    def fold(self, skin: Array, fine: Array, values: Array, heights: Float32Array) -> None:
         """Write the `heights` (N1, R) in mm of folds on the level-0 skin (N0, 4), and raise `fine` (N1, 4).
+
+        `values` (46,) are those of the parameters.
 
         `fine` moves along its normals by the bulges and by the part of the folds that the mesh can show. The
         caller passes `heights` of 0 once; only the tenth of them that can differ from 0 is written.
@@ -60,6 +65,8 @@ class Wrinkles:
         self._lift[:] = 0.0
         rows = self._compression
         rows.measure(skin, self._stretch)
+        for drawn in self._drawn_in:
+            self._stretch[drawn.rows] = 1.0 - drawn.gathers * float(values[drawn.muscle].mean())
         _fold(
             self._stretch,
             rows.row_vertex,
@@ -78,6 +85,27 @@ class Wrinkles:
 def _folding(head: Head) -> tuple[tuple[PlacedRegion, ...], Compression]:
     placed = place_regions(head)
     return placed, Compression.of(head, [p.zone for p in placed], taut=True)
+
+
+class _DrawnIn(NamedTuple):
+    """Rows of the stretch that a muscle alone shortens, by the share `gathers`; `muscle`: its parameters."""
+
+    rows: slice
+    muscle: list[int]
+    gathers: float
+
+    @classmethod
+    def of(cls, placed: PlacedRegion, zone: int, row_zone: UInt32Array) -> _DrawnIn:
+        """Find the rows of a region of dimples."""
+        layout = placed.region.layout
+        assert isinstance(layout, Dimples)
+        first, last = np.searchsorted(row_zone, [zone, zone + 1])
+        parameters = [INDEX[p.name] for p in parameters_named(layout.muscle)]
+        return cls(slice(int(first), int(last)), parameters, layout.gathers)
+
+
+def _draws_in(placed: PlacedRegion) -> bool:
+    return isinstance(placed.region.layout, Dimples)
 
 
 class _Raised:
