@@ -5,12 +5,12 @@ A linear algebra library would start threads for each product, which costs more 
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import scipy.sparse as sp
 
-from ..core.arrays import Array, FloatArray, IntArray, UIntArray
+from ..core.arrays import AnyArray, Array, FloatArray, IntArray, UInt32Array, UIntArray
 from ..core.kernels.four import four, row, set_row
 from ..core.kernels.jit import lean_kernel, summing_kernel
 
@@ -23,14 +23,14 @@ def short(indices: IntArray) -> UIntArray:
 class SparseRows(NamedTuple):
     """The rows of a sparse matrix (n, m): row i has `weight[start[i]:start[i + 1]]` at `column[…]`."""
 
-    start: IntArray
+    start: UInt32Array
     column: UIntArray
-    weight: Array
+    weight: AnyArray
 
     @classmethod
-    def of(cls, matrix: sp.csr_matrix) -> SparseRows:
-        """Take the rows of a CSR matrix."""
-        return cls(matrix.indptr.astype(np.uint32), short(matrix.indices), matrix.data.astype(np.float64))
+    def of(cls, matrix: sp.csr_matrix, precision: type[np.floating[Any]] = np.float64) -> SparseRows:
+        """Take the rows of a CSR matrix, with weights of a `precision`."""
+        return cls(matrix.indptr.astype(np.uint32), short(matrix.indices), matrix.data.astype(precision))
 
     def times(self, points: Array, out: Array) -> Array:
         """Write the product with `points` (m, 4) to `out` (n, 4) and return it.

@@ -23,7 +23,7 @@ from ..core.parameters import INDEX
 from ..face.frame import FaceFrame
 from ..face.head import Head
 from ..face.identity import Looks
-from ..face.products import short
+from ..face.products import SparseRows
 from ..face.regions import place_regions
 from .anatomy import smoothstep
 from .attributes import ALBEDO
@@ -41,18 +41,6 @@ _PRESSER = INDEX["orbicularis_oris_presser"]
 ROUNDS = 2  # of smoothing on the coarse skin
 _HIDDEN = ("inner_mouth", "lids", "garment")
 _NEGLIGIBLE = 0.004  # a quad with a smaller share of a vertex's area is left out
-
-
-class _Rows(NamedTuple):
-    """The rows of a sparse matrix, as of `products.SparseRows`, in single precision."""
-
-    start: UInt32Array
-    column: UIntArray
-    weight: Float32Array
-
-    @classmethod
-    def of(cls, matrix: sp.csr_matrix) -> _Rows:
-        return cls(matrix.indptr.astype(np.uint32), short(matrix.indices), matrix.data.astype(np.float32))
 
 
 class SkinBlood(NamedTuple):
@@ -79,7 +67,8 @@ class Perfusion:
         _measure(np.asarray(head.skin.matrix @ head.rest, np.float32), quads, np.ones_like(area), area)
         fine = head.skin.matrix.tocsr()[here]
         near = np.unique(fine.indices)  # the coarse vertices that count
-        self._tables = _Rows.of(_smoothed(head, area)[near]), _Rows.of(fine[:, near])
+        tables = _smoothed(head, area)[near], fine[:, near]
+        self._to_coarse, self._to_fine = (SparseRows.of(table, np.float32) for table in tables)
         self._quads, self._area, self._vertices = quads, area, here.astype(np.uint32)
         self._flesh, self._lips, self._folded = (part[here].astype(np.float32) for part in blood)
         self._albedo = np.ascontiguousarray(albedo[here])
@@ -93,11 +82,10 @@ class Perfusion:
 
     def colour(self, frame: FaceFrame, attributes: Float32Array) -> None:
         """Write the albedo of the skin in a frame to its `attributes` (N1 or more, ATTRIBUTES)."""
-        to_coarse, to_fine = self._tables
         _measure(frame.skin, self._quads, self._area, self._share)
-        _average(*to_coarse, self._share, self._gain)
+        _average(*self._to_coarse, self._share, self._gain)
         _paint(
-            *to_fine,
+            *self._to_fine,
             self._gain,
             self._vertices,
             self._folded,

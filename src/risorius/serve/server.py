@@ -28,7 +28,7 @@ from ..live.session import Live
 from ..ports.rig import Rig
 from ..settings import Settings
 from ..web.guard import HOSTS, Guard
-from ..web.listening import HOST, bound
+from ..web.listening import HOST, bound, server_config
 from . import limits, pages
 from .client import BUSY, Gate, LiveClient
 from .protocol import LiveProtocol
@@ -151,15 +151,5 @@ def listener(options: ServeOptions) -> socket.socket:
 
 
 def configured(live: LiveServer) -> uvicorn.Config:
-    """Return how uvicorn runs it: messages within bounds, no access log."""
-    return uvicorn.Config(
-        live.app(),
-        log_level="warning",
-        access_log=False,
-        ws=LiveProtocol,
-        ws_max_size=limits.MESSAGE,
-        ws_per_message_deflate=False,
-        timeout_graceful_shutdown=2,
-        server_header=False,
-        lifespan="on",
-    )
+    """Return how uvicorn runs it."""
+    return server_config(live.app(), LiveProtocol, limits.MESSAGE)

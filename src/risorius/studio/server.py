@@ -12,7 +12,7 @@ from pathlib import Path
 import uvicorn
 
 from ..errors import OutputError, Place
-from ..web.listening import HOST, bound
+from ..web.listening import HOST, bound, server_config
 from . import limits
 from .app import Studio
 
@@ -58,15 +58,5 @@ def serve(
 
 
 def configured(studio: Studio) -> uvicorn.Config:
-    """Return how uvicorn runs a studio: messages within bounds, no access log."""
-    return uvicorn.Config(
-        studio.app(),
-        log_level="warning",
-        access_log=False,
-        ws="websockets-sansio",
-        ws_max_size=limits.MESSAGE,
-        ws_per_message_deflate=False,
-        timeout_graceful_shutdown=2,
-        server_header=False,
-        lifespan="on",
-    )
+    """Return how uvicorn runs a studio."""
+    return server_config(studio.app(), "websockets-sansio", limits.MESSAGE)

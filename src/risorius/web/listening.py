@@ -1,12 +1,18 @@
-"""Where a server listens."""
+"""Where a server listens, and within which bounds."""
 
 from __future__ import annotations
 
+import asyncio
 import socket
+from typing import Literal
+
+import uvicorn
+from starlette.types import ASGIApp
 
 from ..errors import OutputError
 
 HOST = "127.0.0.1"
+WebSocketProtocol = type[asyncio.Protocol] | Literal["websockets-sansio"]
 
 
 def bound(port: int, host: str = HOST) -> socket.socket:
@@ -24,3 +30,20 @@ def bound(port: int, host: str = HOST) -> socket.socket:
         reason = error.strerror or str(error)
         raise OutputError(f"port {port} cannot be used: {reason}; expected another --port") from None
     return made
+
+
+def server_config(app: ASGIApp, protocol: WebSocketProtocol, largest: int) -> uvicorn.Config:
+    """Return how uvicorn runs a server: messages of `largest` bytes at most by a WebSocket `protocol`, no
+    access log.
+    """
+    return uvicorn.Config(
+        app,
+        log_level="warning",
+        access_log=False,
+        ws=protocol,
+        ws_max_size=largest,
+        ws_per_message_deflate=False,
+        timeout_graceful_shutdown=2,
+        server_header=False,
+        lifespan="on",
+    )
