@@ -57,3 +57,8 @@ def test_onset_functions_rise_from_0_to_1():
     for row in catalogue().onset_functions:
         assert (row.samples[0], row.samples[-1]) == (0.0, 1.0)
         assert list(row.samples) == sorted(row.samples)
+
+
+def test_languages_have_names():
+    (languages,) = (it for it in catalogue().settings if it.key == "language")
+    assert ("de", "German") in {(it.name, it.description) for it in languages.choices}

@@ -17,6 +17,7 @@ from risorius.errors import RisoriusError
 from risorius.studio.autosave import FILE, Autosave
 from risorius.studio.project import open_project, project_file
 from risorius.studio.session import Session
+from risorius.studio.session_files import SessionFiles
 from risorius.studio.wire import requests, shared
 from risorius.studio.wire.views import PageView
 
@@ -281,3 +282,9 @@ def test_a_sound_is_not_decoded_beyond_its_speech(session, small_project, sound)
     with pytest.raises(RisoriusError, match="sound") as caught:
         open_project(json.dumps(document).encode(), session.files)
     assert "\n" not in str(caught.value)
+
+
+def test_messages_name_a_recording_as_the_user_did(tmp_path):
+    files = SessionFiles(tmp_path)
+    line = f"{tmp_path}/recordings/my-voice-8bbbaea6.wav: is silent; see {tmp_path}/rules.toml"
+    assert files.told(line) == "my-voice.wav: is silent; see rules.toml"

@@ -37,8 +37,10 @@ class SessionFiles:
         self._poses = _table(folder / "poses.json", dict[str, dict[str, float]])
 
     def told(self, text: str) -> str:
-        """Return a line for the page: files of the session by their names, without the folder they lie in."""
-        return re.sub(rf"{re.escape(str(self.folder))}/(?:recordings/)?", "", text)
+        """Return a line for the page: files of the session by the names that the user gave them."""
+        here = re.escape(str(self.folder))
+        text = re.sub(rf"{here}/recordings/([\w-]+)-[0-9a-f]{{8}}(\.\w+)", r"\1\2", text)
+        return re.sub(rf"{here}/(?:recordings/)?", "", text)
 
     def recordings(self) -> tuple[str, ...]:
         """Return the names of the recordings, in alphabetical order."""

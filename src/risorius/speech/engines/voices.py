@@ -44,9 +44,12 @@ def speaking() -> dict[str, Voice]:
     return {voice.name: voice for voice in voices() if not voice.name.startswith("+")}
 
 
-def languages() -> tuple[str, ...]:
-    """Return the languages of all voices that speak, sorted."""
-    return tuple(sorted({voice.language for voice in speaking().values()}))
+def languages() -> dict[str, str]:
+    """Return the languages of all voices that speak, sorted, each with its first voice's name for it."""
+    names: dict[str, str] = {}
+    for voice in speaking().values():
+        names.setdefault(voice.language, voice.description)
+    return dict(sorted(names.items()))
 
 
 def find_voice(name: str | None, language: str | None = None, engine: SpeechEngine | None = None) -> Voice:

@@ -9,6 +9,8 @@ import { make, settled } from "../parts/dom.js";
 
 const WAIT = 250; // ms after the last movement of a slider
 
+// Settings whose values are codes that few know.
+const CODED = ["language", "voice"];
 const OPEN = ["Voice", "Manner"]; // groups whose settings are seen at first
 
 /** @type {Record<string, (setting: SettingRow, value: any, set: Set) => Control>} by the setting's `control` */
@@ -84,13 +86,19 @@ export function settingRow(setting, value, set) {
 }
 
 /** @param {SettingRow} setting @param {any} value @param {Set} set */
-function makeChoice({ choices, optional, unset }, value, set) {
-  const options = choices.map((it) => ({ ...it, name: String(it.value), title: titleOf(it) }));
+function makeChoice({ key, choices, optional, unset }, value, set) {
+  const title = CODED.includes(key) ? namedCode : titleOf;
+  const options = choices.map((it) => ({ ...it, name: String(it.value), title: title(it) }));
   /** @param {string} name */
   const valueOf = (name) => choices.find((it) => String(it.value) === name)?.value ?? name;
   /** @param {string | null} name */
   const change = (name) => set(name === null ? null : valueOf(name));
   return choice(options, { value, empty: optional ? unset : undefined, change });
+}
+
+/** What a code is called, with the code: "German (de)". @param {ChoiceRow} choice */
+function namedCode({ name, description }) {
+  return description ? `${description} (${name})` : name;
 }
 
 /** What a choice is called: a number by its name, a code or a fraction as it is. @param {ChoiceRow} choice */
