@@ -21,7 +21,7 @@ LAYERS = 4
 # How far, in mm, hair of each style stands out over the skin beside it.
 _THICK = {"short": 16.0, "medium": 20.0, "shaved": 0.0, "bald": 0.0}
 # How much the scalp is darkened under each style of hair.
-_UNDER = {"short": 0.9, "medium": 0.92, "shaved": 0.62, "bald": 0.0}
+_UNDER = {"short": 0.9, "medium": 0.92, "shaved": 0.8, "bald": 0.0}
 # mm inside the hairline over which hair of each style begins, so that its edge has no hairs alone: scratches.
 EDGES = {"short": (0.0, 6.0), "medium": (3.0, 11.0)}
 # mm inside the even hairline over which that shade rises: slowly, as skin knows it at few points, and where
