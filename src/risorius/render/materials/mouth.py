@@ -6,7 +6,7 @@ import math
 
 from ...core.arrays import Float32Array
 from ...core.kernels.jit import f4, fast_device, fast_inlined
-from ...core.kernels.vec import Vec, along, dot, saturate, scale, smooth, sub, times, unit, unrotate, weigh
+from ...core.kernels.vec import Vec, along, dot, mix, saturate, scale, smooth, sub, times, unit, unrotate, weigh
 from ...looks.attributes import ALBEDO, OCCLUSION, TEETH, TONGUE
 from ..brdf import gloss
 from ..inputs import Batch, Pose, PosedMesh, SceneLight, Screen
@@ -18,6 +18,8 @@ _FRONT = 2  # lamps; the others stand behind the head
 _GLOSS = f4(0.03)
 _DEPTH = f4(1 / 30)  # 1/mm: cheeks and palate absorb half of the light
 _GLOW = f4(0.19)  # share of light that lips and cheeks let through to the flesh behind them
+_WARM = f4(0.95), f4(0.76), f4(0.70)  # of the light that flesh in the mouth has reflected before
+_NEAR, _FAR = f4(6), f4(42)  # mm behind the lips; the lamps' light lessens between them
 _FAUCES = f4(35)  # mm behind the lips; the lining is drawn further back, but a mouth is not deeper
 
 
@@ -42,11 +44,33 @@ def past_lips(
 
 
 @fast_device
+def lamps_past_lips(rotation: Float32Array, pivot: Float32Array, lips: Float32Array, p: Vec) -> float:
+    """Return the share 0..1 of the lamps' light in the mouth that goes as deep as a point."""
+    behind: float = lips[LIP_STEPS // 2, 1] - unrotate(rotation, sub(p, (pivot[0], pivot[1], pivot[2])))[2]
+    return f4(1) - f4(0.8) * smooth(_NEAR, _FAR, behind - pivot[2])
+
+
+@fast_device
 def spread_in_flesh(deep: float) -> float:
     """Return the share of light from flesh where the share `deep` arrives: some comes through it."""
     root = math.sqrt(deep)
     spread: float = _GLOW + (f4(1) - _GLOW) * root * (f4(0.35) + f4(0.65) * root)
     return spread
+
+
+@fast_device
+def entering_light(light: SceneLight, rotation: Float32Array) -> Vec:
+    """Return the lamps' light on an open mouth, warm with the colour of the flesh that spreads it within."""
+    total: Vec = (f4(0), f4(0), f4(0))
+    ahead = _ahead(rotation)
+    for k in range(min(len(light.lamps), _FRONT)):
+        total = along(total, lamp_colour(light.lamps, k), saturate(dot(ahead, lamp_direction(light.lamps, k))))
+    return times(total, _WARM)
+
+
+@fast_device
+def _ahead(rotation: Float32Array) -> Vec:
+    return rotation[0, 2], rotation[1, 2], rotation[2, 2]
 
 
 @fast_device
@@ -110,16 +134,24 @@ def _wet(
         root = math.sqrt(deep)
         spread = min(root * (f4(0.8) + f4(0.7) * root), f4(1.15))
         deep = spread * smooth(f4(0), f4(0.12), deep)
+        # It is the redder the more of the light has met flesh before.
+        pale = min(f4(0.2) + deep, f4(1))
+        albedo = times(albedo, mix((f4(1), f4(0.72), f4(0.62)), (f4(1), f4(1), f4(1)), pale))
     else:
         deep = spread_in_flesh(deep)
     shadow = key_share(light, p)
     # Light from all sides of the mouth is warm with the colour of its lining.
     around = times(ambient_light(light.ambient, normal, f4(1)), (f4(2.0), f4(1.75), f4(1.6)))
     total = times(albedo, scale(around, deep))
+    if surface == TONGUE:
+        ahead = dot(normal, _ahead(pose.rotation)) * f4(0.4) + f4(0.6)
+        share = ahead * deep * lamps_past_lips(pose.rotation, pose.pivot, pose.lips, p)
+        total = along(total, times(albedo, entering_light(light, pose.rotation)), share)
     for k in range(min(len(light.lamps), _FRONT)):
         direction, colour = lamp_direction(light.lamps, k), lamp_colour(light.lamps, k)
         arriving = deep * (shadow if k == 0 else f4(1))
-        wrapped = saturate((dot(normal, direction) + f4(0.4)) * f4(1 / 1.4))
-        total = along(total, times(albedo, colour), wrapped * arriving)
+        if surface == TEETH:
+            wrapped = saturate((dot(normal, direction) + f4(0.4)) * f4(1 / 1.4))
+            total = along(total, times(albedo, colour), wrapped * arriving)
         total = along(total, colour, gloss(normal, view, direction, roughness, _GLOSS) * strength * arriving)
     return total

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from ...core.arrays import Float32Array
 from ...core.kernels.jit import f4, fast_device, fast_inlined, i8
-from ...core.kernels.vec import add, along, dot, rows_of, scale, smooth, tilted, times, turned, weigh
+from ...core.kernels.vec import Vec, add, along, dot, rows_of, scale, smooth, tilted, times, turned, weigh
 from ...looks import attributes
 from ...looks.attributes import SKIN
 from ..grain import between, cell_of, heights_about
@@ -27,6 +27,7 @@ from ..lanes import (
     REST,
     ROUGHNESS,
     SHADOW,
+    SHARE,
     SHINE,
     SOFT,
     STRENGTH,
@@ -40,7 +41,7 @@ from ..lanes import (
 )
 from .folds import bent, creased
 from .lit import ambient_of, ambient_on, read_reach
-from .mouth import past_lips, spread_in_flesh
+from .mouth import entering_light, lamps_past_lips, past_lips, spread_in_flesh
 from .patch import corners_of, weights_of
 from .patch import put as put_colour
 from .shadows import shadow_at
@@ -82,6 +83,7 @@ def _shade_block(
     _fold(count, batch, mesh, pose, tables, screen.detail)
     _shadow(count, block, pose)
     fill(block, light)
+    _light_lining(block, entering_light(light, pose.rotation))
     for lamp in range(len(light.lamps)):
         lamp_light(count, lamp, block, light.lamps, tables.diffuse)
     edge_light(block, light.ambient)
@@ -174,15 +176,25 @@ def _fold(count: int, batch: Batch, mesh: PosedMesh, pose: Pose, tables: Tables,
 
 @fast_device
 def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
-    """Compute how much of the key lamp and of the ambient light arrives."""
+    """Compute how much of the key lamp and of the ambient light arrives, and of the light in the mouth."""
     for k in range(count):
         free, inner = block[FREE + k], block[INNER + k]
+        block[SHARE + k] = f4(0)
         if inner > INNER_MOUTH:
             p = get(block, POSITION, k)
             seen = spread_in_flesh(past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, p))
             free += (seen - free) * inner
             block[SHADOW + k] *= f4(1) + (seen - f4(1)) * inner
+            block[SHARE + k] = seen * inner * lamps_past_lips(pose.rotation, pose.pivot, pose.lips, p)
         block[OPENED + k] = free
+
+
+@fast_device
+def _light_lining(block: Float32Array, entering: Vec) -> None:
+    """Add the lamps' light that comes past the lips, whose SHARE the mouth's lining spreads to all sides."""
+    for k in range(LANES):
+        lit = times(get(block, ALBEDO, k), entering)
+        put(block, TOTAL, k, along(get(block, TOTAL, k), lit, block[SHARE + k]))
 
 
 @fast_device
