@@ -6,7 +6,20 @@ import math
 
 from ...core.arrays import Float32Array
 from ...core.kernels.jit import f4, fast_device, fast_inlined
-from ...core.kernels.vec import Vec, along, dot, mix, saturate, scale, smooth, sub, times, unit, unrotate, weigh
+from ...core.kernels.vec import (
+    Vec,
+    along,
+    dot,
+    mix,
+    saturate,
+    scale,
+    smooth,
+    sub,
+    times,
+    unit,
+    unrotate,
+    weigh,
+)
 from ...looks.attributes import ALBEDO, OCCLUSION, TEETH, TONGUE
 from ..brdf import gloss
 from ..inputs import Batch, Pose, PosedMesh, SceneLight, Screen
@@ -64,7 +77,9 @@ def entering_light(light: SceneLight, rotation: Float32Array) -> Vec:
     total: Vec = (f4(0), f4(0), f4(0))
     ahead = _ahead(rotation)
     for k in range(min(len(light.lamps), _FRONT)):
-        total = along(total, lamp_colour(light.lamps, k), saturate(dot(ahead, lamp_direction(light.lamps, k))))
+        total = along(
+            total, lamp_colour(light.lamps, k), saturate(dot(ahead, lamp_direction(light.lamps, k)))
+        )
     return times(total, _WARM)
 
 
