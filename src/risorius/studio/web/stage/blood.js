@@ -43,14 +43,13 @@ export class Blood {
   flow(points, gained) {
     const { flesh, folded } = this.#shown;
     const { least, most } = this.#limits;
-    const gain = this.#smoothed(points);
+    const [gain, usual, parents] = [this.#smoothed(points), this.#usual, this.#parents];
     for (let v = 0; v < gain.length; v++) {
-      gain[v] = Math.min(Math.max(this.#usual[v] / Math.max(gain[v], 0.1 * this.#usual[v]) - 1, least), most);
+      gain[v] = Math.min(Math.max(usual[v] / Math.max(gain[v], 0.1 * usual[v]) - 1, least), most);
     }
     for (let v = 0, k = 0; v < gained.length; v++, k += 4) {
       if (flesh[v] === 0) continue;
-      const [p, parents] = [0.25, this.#parents];
-      const more = p * (gain[parents[k]] + gain[parents[k + 1]] + gain[parents[k + 2]] + gain[parents[k + 3]]);
+      const more = 0.25 * (gain[parents[k]] + gain[parents[k + 1]] + gain[parents[k + 2]] + gain[parents[k + 3]]);
       gained[v] = flesh[v] * (more > 0 ? folded[v] * more : more);
     }
   }
@@ -59,10 +58,11 @@ export class Blood {
   #smoothed(points) {
     let [now, next] = [this.#areas, this.#between];
     const { starts, ends } = this.#beside;
+    const quads = this.#quads;
     now.fill(0);
-    for (let k = 0; k < this.#quads.length; k += 4) {
-      const area = areaOf(points, this.#quads, k);
-      for (let corner = k; corner < k + 4; corner++) now[this.#quads[corner]] += area;
+    for (let k = 0; k < quads.length; k += 4) {
+      const area = areaOf(points, 3 * quads[k], 3 * quads[k + 1], 3 * quads[k + 2], 3 * quads[k + 3]);
+      for (let corner = k; corner < k + 4; corner++) now[quads[corner]] += area;
     }
     for (let round = 0; round < ROUNDS; round++) {
       for (let v = 0; v < now.length; v++) {
@@ -76,12 +76,20 @@ export class Blood {
   }
 }
 
-/** Twice the area of a quad, by its diagonals. @param {Float32Array} points @param {Uint32Array} quads @param {number} k */
-function areaOf(points, quads, k) {
-  const [a, b, c, d] = [3 * quads[k], 3 * quads[k + 1], 3 * quads[k + 2], 3 * quads[k + 3]];
-  const [ux, uy, uz] = [points[c] - points[a], points[c + 1] - points[a + 1], points[c + 2] - points[a + 2]];
-  const [vx, vy, vz] = [points[d] - points[b], points[d + 1] - points[b + 1], points[d + 2] - points[b + 2]];
-  const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+/**
+ * Twice the area of a quad, by its diagonals; its corners begin at these numbers.
+ * @param {Float32Array} points @param {number} a @param {number} b @param {number} c @param {number} d
+ */
+function areaOf(points, a, b, c, d) {
+  const ux = points[c] - points[a];
+  const uy = points[c + 1] - points[a + 1];
+  const uz = points[c + 2] - points[a + 2];
+  const vx = points[d] - points[b];
+  const vy = points[d + 1] - points[b + 1];
+  const vz = points[d + 2] - points[b + 2];
+  const x = uy * vz - uz * vy;
+  const y = uz * vx - ux * vz;
+  const z = ux * vy - uy * vx;
   return Math.sqrt(x * x + y * y + z * z);
 }
 

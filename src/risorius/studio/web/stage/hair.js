@@ -1,7 +1,6 @@
 /** Hairs: ribbons that lie over what is behind them. */
 
 import * as THREE from "../vendor/three/three.module.min.js";
-import { patch } from "./patch.js";
 import { quickened } from "./quick.js";
 
 export const HAIRS = ["brows", "lashes", "hair", "hairline"];
@@ -24,7 +23,7 @@ const FIBRE = `
 
 const GROWN = "varying vec3 fibre;\nvarying vec2 lit; // the share of light that comes between other hairs, and the strength of the highlights";
 
-/** @type {{vertex: any, fragment: any, light: any}} shader text in place of three's */
+/** @type {{vertex: any, light: any}} shader text in place of three's */
 const HAIR = {
   vertex: [
     [
@@ -56,16 +55,6 @@ ${GROWN}`,
     ],
     ["#include <project_vertex>", "vec4 mvPosition = vec4( midst + breadth, 1.0 );\ngl_Position = projectionMatrix * mvPosition;"],
   ],
-  fragment: [
-    ["#include <common>", `#include <common>\nvarying float aside;\nvarying vec2 strand;\n${GROWN}`],
-    [
-      "#include <color_fragment>",
-      `#include <color_fragment>
-      diffuseColor.a *= ${SOLID};`,
-    ],
-    ["#include <normal_fragment_begin>", "vec3 normal = normalize( vNormal );\nvec3 nonPerturbedNormal = normal;"],
-    ["vec3 outgoingLight = ", "vec3 outgoingLight = reflectedLight.directSpecular + "],
-  ],
   light: [
     [
       "#include <lights_lambert_pars_fragment>",
@@ -89,15 +78,13 @@ void main() {
 };
 
 /**
- * @returns {THREE.Material} whose `userData.pixels` is how many of the picture's pixels a length has at the same
- *   distance, with the one for motion as `userData.quick`
+ * Hairs are lit at their vertices, at rest too, as in the library's own pictures: many lie over each pixel.
+ * @returns {THREE.Material} whose `userData.pixels` is how many of the picture's pixels a length has at the same distance
  */
 export function hairMaterial() {
   const flags = { side: THREE.DoubleSide, transparent: true, depthWrite: false, forceSinglePass: true };
-  const material = new THREE.MeshLambertMaterial({ vertexColors: true, ...flags });
+  const plain = new THREE.MeshLambertMaterial({ vertexColors: true, ...flags });
   const uniforms = { pixels: { value: 1 } };
-  material.userData.pixels = uniforms.pixels;
-  patch(material, HAIR, uniforms);
-  material.userData.quick = quickened(material, HAIR, QUICK, uniforms);
-  return material;
+  plain.userData.pixels = uniforms.pixels;
+  return quickened(plain, HAIR, QUICK, uniforms);
 }
