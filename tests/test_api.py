@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import pydoc
+import re
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from types import ModuleType
@@ -69,9 +71,9 @@ def test_a_take_is_shown_in_one_line(clip: risorius.Take) -> None:
 
 def test_faults_of_a_caller_are_told_by_one_kind_of_error(clip: risorius.Take) -> None:
     with pytest.raises(risorius.RisoriusError, match="int cannot be performed; expected a text"):
-        risorius.speak(5)  # type: ignore[arg-type]
+        risorius.speak(5)
     with pytest.raises(risorius.RisoriusError, match="settings are dict; expected"):
-        risorius.speak("Hi.", settings={"fps": 60})  # type: ignore[arg-type]
+        risorius.speak("Hi.", settings={"fps": 60})
     with pytest.raises(risorius.RisoriusError, match="unknown parameter 'lip_seel'; did you mean 'lip_seal'"):
         _ = clip.curves["lip_seel"]
     assert clip.curves.get("lip_seel") is None
@@ -200,3 +202,19 @@ def test_a_spoilt_file_is_refused_before_anything_is_spoken(
             "Hi.", settings=risorius.Settings(**chosen), progress=lambda what, *_: said.append(what)
         )
     assert said == []
+
+
+@pytest.mark.parametrize(
+    ("wrong", "expected"),
+    [
+        (lambda: risorius.Settings(seed=1.5), "seed = 1.5 is not a whole number"),
+        (lambda: risorius.pose({5: 1.0}), "int is not the name of a muscle"),
+        (lambda: risorius.batch([], "{id}.wav", jobs=-1), "jobs = -1; expected a whole number, 0 or more"),
+        (lambda: risorius.batch([], "{id}.wav", timeout=0), "timeout = 0; expected seconds, more than 0"),
+        (lambda: next(risorius.pipe(["Hi."], as_tuples=True)), "str is not a pair; expected a text"),
+        (lambda: risorius.Live().say(audio=b"", rate=8000, words=5), "words are int"),
+    ],
+)
+def test_wrong_types_are_errors_in_one_line(wrong: Callable[[], object], expected: str) -> None:
+    with pytest.raises(risorius.InputError, match=re.escape(expected)):
+        wrong()

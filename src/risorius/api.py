@@ -159,7 +159,9 @@ def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Sett
     if not isinstance(targets, Mapping):
         raise InputError(f"{type(targets).__name__} is not a pose; expected values by name: {{'AU12': 0.7}}")
     for name, value in targets.items():
-        check_number(str(name), value)
+        if not isinstance(name, str):
+            raise InputError(f"{type(name).__name__} is not the name of a muscle; expected e.g. 'AU12'")
+        check_number(name, value)
     settings = checked(settings)
     refuse(settings, POSE)
     displays = displays_of(emotion, settings)

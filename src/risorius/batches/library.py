@@ -137,6 +137,10 @@ def batch(
     _check_iterable("rows", rows)
     _check_iterable("outputs", outputs)
     names = (outputs,) if isinstance(outputs, str) else tuple(outputs)
+    if jobs is not None and (not isinstance(jobs, int) or jobs < 0):
+        raise InputError(f"jobs = {jobs!r}; expected a whole number, 0 or more")
+    if not isinstance(timeout, int | float) or not timeout > 0.0:
+        raise InputError(f"timeout = {timeout!r}; expected seconds, more than 0")
     processes = usual_processes() if jobs is None else jobs
     part = Shard() if shard is None else Shard.parse(shard)
     folder = None if journal is None else Path(journal)
@@ -197,7 +201,10 @@ def _with_contexts(
     contexts: list[C] = []
 
     def texts() -> Iterator[str]:
-        for text, context in pairs:
+        for pair in pairs:
+            if not isinstance(pair, tuple | list) or len(pair) != 2:
+                raise InputError(f"{type(pair).__name__} is not a pair; expected a text and its context")
+            text, context = pair
             contexts.append(context)
             yield text
 

@@ -15,7 +15,7 @@ from enum import StrEnum
 from fractions import Fraction
 from functools import cache
 from importlib import import_module
-from numbers import Real
+from numbers import Integral, Real
 from pathlib import Path
 from typing import Any
 
@@ -87,6 +87,7 @@ _NAMED = (ValueKind.TEXT, ValueKind.SEVERAL, ValueKind.AMOUNTS)
 _TYPES: Mapping[ValueKind, tuple[type, str]] = {
     ValueKind.TEXT: (str, "a text"),
     ValueKind.SWITCH: (bool, "True or False"),
+    ValueKind.WHOLE: (Integral, "a whole number"),
     ValueKind.SEVERAL: (Collection, "a sequence of names"),
     ValueKind.AMOUNTS: (Mapping, "a mapping of names to numbers"),
     ValueKind.SIZE: (tuple, "width and height"),
@@ -356,6 +357,7 @@ _FITS: Mapping[ValueKind, Callable[[Any], bool]] = {
     ValueKind.SEVERAL: _are_texts,
     ValueKind.AMOUNTS: _are_texts,
     ValueKind.SIZE: lambda size: len(size) == 2,
+    ValueKind.WHOLE: lambda value: not isinstance(value, bool),
 }
 
 

@@ -100,6 +100,8 @@ class VoiceBuffer:
         check_rate(rate, LOWEST_RATE, HIGHEST_RATE)
         if self and rate != self._rate:
             raise InputError(f"{rate:,} Hz after {self._rate:,}; expected one rate up to flush")
+        if not isinstance(words, Iterable):
+            raise InputError(f"words are {type(words).__name__}; expected a list of (word, start, end)")
         timed = [_timed_word(word) for word in words]
         check_times(timed, self._words[-1].end if self._words else self._since)
         written_text = self._text + text
