@@ -357,7 +357,6 @@ _FITS: Mapping[ValueKind, Callable[[Any], bool]] = {
     ValueKind.SEVERAL: _are_texts,
     ValueKind.AMOUNTS: _are_texts,
     ValueKind.SIZE: lambda size: len(size) == 2,
-    ValueKind.WHOLE: lambda value: not isinstance(value, bool),
 }
 
 
