@@ -51,7 +51,7 @@ class ChannelInputs:
         """The stretches that rules are tried on."""
         return Units(self.situation)
 
-    @property
+    @cached_property
     def modulations(self) -> tuple[Modulation, ...]:
         """What the speaker does more or less of, emotions apart."""
         return (self.profile.modulation, *(a.modulation for a in self.attitudes))

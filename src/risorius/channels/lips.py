@@ -60,6 +60,7 @@ class _Shaper:
     def __post_init__(self) -> None:
         self._targets: dict[tuple[int, float], Mapping[str, float]] = {}
         self._shared: dict[tuple[object, ...], TargetsHeld] = {}
+        self._vowels: dict[int, LipSegment] = {}
         self._onsets = _onsets(self.utterance)
         self._coming = coming_vowels(self.utterance, self._anticipates)
         self._final = _phrase_final_phones(self.utterance)
@@ -82,7 +83,10 @@ class _Shaper:
         if coming is None:
             yield from self._alone(index, phone)
             return
-        vowel = next(self._alone(coming.phone, self.utterance.phones[coming.phone]))
+        vowel = self._vowels.get(coming.phone)
+        if vowel is None:
+            vowel = next(self._alone(coming.phone, self.utterance.phones[coming.phone]))
+            self._vowels[coming.phone] = vowel
         for own in self._alone(index, phone):
             # Equal shapes share their mappings.
             owners = (own.targets, own.precision, vowel.targets, vowel.precision)
@@ -90,7 +94,7 @@ class _Shaper:
             if key not in self._shared:
                 self._shared[key] = anticipated(own, vowel, coming.shares)
             held = self._shared[key]
-            yield replace(own, targets=held.targets, precision=held.precision)
+            yield own.with_targets(held.targets, held.precision)
 
     def _anticipates(self, phone: Phone) -> Mapping[str, float]:
         """Return what all sounds of a consonant leave to the coming vowel."""

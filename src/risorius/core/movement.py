@@ -132,12 +132,19 @@ class LipSegment:
     def __post_init__(self) -> None:
         put_on_ticks(self, "start", "end")
 
-    def with_targets(self, targets: Mapping[str, float]) -> LipSegment:
-        """Return the segment with other targets, in a fifth of the time of `replace`: its times are read."""
-        segment = object.__new__(LipSegment)
+    def with_targets(
+        self, targets: Mapping[str, float], precision: Mapping[str, float] | None = None
+    ) -> LipSegment:
+        """Return the segment with other targets, in a fifth of the time of `replace`: its times are read.
+
+        `precision`: of these targets; None for its own.
+        """
+        segment, put = object.__new__(LipSegment), object.__setattr__
         for name in self.__slots__:
-            object.__setattr__(segment, name, getattr(self, name))
-        object.__setattr__(segment, "targets", targets)
+            put(segment, name, getattr(self, name))
+        put(segment, "targets", targets)
+        if precision is not None:
+            put(segment, "precision", precision)
         return segment
 
     def dominance_of(self, name: str) -> Dominance:

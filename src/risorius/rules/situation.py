@@ -32,5 +32,7 @@ class Situation:
 
     def turn_at(self, time: float) -> TurnState:
         """Return whose turn it is at a time."""
-        heard = any(start <= time < end for start, end in self.listening)
-        return TurnState.LISTENING if heard else TurnState.SPEAKING
+        for start, end in self.listening:
+            if start <= time < end:
+                return TurnState.LISTENING
+        return TurnState.SPEAKING

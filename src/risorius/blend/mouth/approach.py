@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
 
@@ -80,14 +81,15 @@ class Approach:
     def reached(self, average: Callable[[str], Array], times: Array) -> Callable[[str], Array]:
         """Return a function like `average`, with the averages of targets as far as the goals allow."""
         averages: dict[str, Array] = {}
+        own = cache(average)  # an average that is asked for again is computed again
 
         def average_of(name: str) -> Array:
             if name not in averages:
-                averages[name] = self._reached(name, average(name), times)
+                averages[name] = self._reached(name, own(name), times)
                 if name == JAW:
                     asked, left = (
                         positive_part(gap, self._table.opening.rounded)
-                        for gap in (average(APERTURE), average_of(APERTURE))
+                        for gap in (own(APERTURE), average_of(APERTURE))
                     )
                     averages[name] = averages[name] - CHIN * (asked - left)
             return averages[name]
