@@ -40,7 +40,7 @@ from .readers import PACKAGE
 from .registry import FuzzedReader
 
 CASES = int(os.environ.get("RISORIUS_FUZZ", samples(2000, 12)))
-COUNTED = samples(18_000, 288)
+COUNTED = samples(18_000, 144)
 PACKAGE_TABLES = {
     "Articulation", "Attitude", "BmlTable", "Bulge", "EdgeTable", "Expression", "FuzzyTable", "MarkupTable",
     "Priors", "ProsodyRules", "RegionRow", "Saccade", "SsmlTable", "Synchrony", "Tradeoffs", "Viseme",
