@@ -45,6 +45,7 @@ def test_files_lie_over_presets_and_options_over_both(folder: Path) -> None:
     ("text", "message"),
     [
         ("fps = 25\nfsp = 30", r"own\.toml:2:1: unknown setting 'fsp'; did you mean 'fps'"),
+        ("fps = true", r"own\.toml:1:1: fps 'bool' is not a number"),
         ("\n\nfps = 0", r"own\.toml:3:1: fps = 0 is out of range"),
         ('light = "sun"', r"own\.toml:1:1: unknown light 'sun'; expected one of studio, daylight, dark"),
         ("lively = 3", r"own\.toml:1:1: lively = 3 is not True or False"),

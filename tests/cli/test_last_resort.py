@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import json
 import sys
@@ -91,3 +92,16 @@ def test_too_many_frames_are_refused_with_their_memory(
     assert run(["mix", str(score), "--fps", "1000", "-o", str(tmp_path / "x.muscles.csv")]) == EXIT_FAULT
     expected = "3600 s at 1000 frames a second are 3,600,001 frames (1,325 MB of curves)"
     assert expected in capsys.readouterr().err
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
+def test_what_a_full_disk_did_not_take_is_not_said_to_be_written(
+    score: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    full = Path("/dev/full").open("w")  # noqa: SIM115  # closing it fails, too
+    with monkeypatch.context() as patch:
+        patch.setattr(sys, "stdout", full)
+        assert run(["mix", str(score)]) == EXIT_FAULT
+    with contextlib.suppress(OSError):
+        full.close()
+    assert capsys.readouterr().err == "risorius: no space left on the disk\n"
