@@ -11,9 +11,13 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from ..core.articulators import PROTRUSION, WIDTH
 from ..core.frozen import FrozenDict
 from ..core.movement import LipSegment
 from ..core.utterance import SILENCE, Phone, Utterance
+
+UNHELD = (WIDTH, PROTRUSION)
+"""Articulators that a phone without a target holds at rest; a missing aperture is what the jaw opens."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +76,7 @@ def anticipated(own: LipSegment, vowel: LipSegment, shares: Mapping[str, float])
     """
     targets, precision = dict(own.targets), dict(own.precision)
     for name, share in shares.items():
-        target = targets.get(name)
+        target = targets.get(name, 0.0 if name in UNHELD else None)
         if target is not None and name in vowel.targets:
             mine, its = own.precision_of(name), share * vowel.precision_of(name)
             targets[name] = (mine * target + its * vowel.targets[name]) / (mine + its)
