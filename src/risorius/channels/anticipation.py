@@ -16,8 +16,9 @@ from ..core.frozen import FrozenDict
 from ..core.movement import LipSegment
 from ..core.utterance import SILENCE, Phone, Utterance
 
-UNHELD = (WIDTH, PROTRUSION)
-"""Articulators that a phone without a target holds at rest; a missing aperture is what the jaw opens."""
+ROUNDING = (WIDTH, PROTRUSION)
+"""What rounding moves. It begins before its vowel; a vowel without it asks nothing of the consonants.
+Where a phone has no target for these, it keeps them at rest."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,9 +76,10 @@ def anticipated(own: LipSegment, vowel: LipSegment, shares: Mapping[str, float])
     the vowel has no target for, stays as it is.
     """
     targets, precision = dict(own.targets), dict(own.precision)
+    rounded = PROTRUSION in vowel.targets
     for name, share in shares.items():
-        target = targets.get(name, 0.0 if name in UNHELD else None)
-        if target is not None and name in vowel.targets:
+        target = targets.get(name, 0.0 if name in ROUNDING else None)
+        if target is not None and name in vowel.targets and (rounded or name not in ROUNDING):
             mine, its = own.precision_of(name), share * vowel.precision_of(name)
             targets[name] = (mine * target + its * vowel.targets[name]) / (mine + its)
             precision[name] = mine + its
