@@ -12,6 +12,7 @@ from risorius.face.links import NO_LINKS
 from risorius.face.mouth import Mouth, TeethEdge
 from risorius.face.muscles import ELSEWHERE
 from risorius.face.solve import FaceSolver
+from risorius.looks.eyeball import IRIS
 
 from .conftest import values_of
 from .flips import Flips, visible
@@ -31,7 +32,17 @@ COMPANY = (
 CLOSURES = (0.0, 0.3, 0.6, 0.9, 1.0)
 MIDDLE = 4.0  # mm to either side of the midline
 LINING = 4.0  # mm about an eyeball and behind its front, where skin lines the socket
+PEOPLES_IRIS = 5.9  # mm, its radius
 FLAT = 0.05  # of a face's area at rest: thinner slivers have no side
+
+
+def lid_heights(head):
+    """Heights in mm of the left eye's upper and lower lid at rest above the pupil's middle, on an iris with
+    people's radius.
+    """
+    unit = float(IRIS) * head.eye_radius[0] / PEOPLES_IRIS
+    margins = ((head.skin.matrix @ head.rest)[side] - head.eye_centre[0] for side in head.lid_pairs[0].T)
+    return [float(np.interp(0.0, margin[:, 0], margin[:, 1])) / unit for margin in margins]
 
 
 class Laws:

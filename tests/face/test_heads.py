@@ -11,7 +11,7 @@ from risorius.face.head import load_head, shipped_heads
 from tests.profiles import everyday
 
 from .conftest import EMOTIONS
-from .laws import Laws
+from .laws import Laws, lid_heights
 
 OVERLAP, SEALED, LIDS, CLEAR = 0.3, 0.05, 0.01, 0.25
 PIERCED = 0.3
@@ -21,7 +21,7 @@ OVERSHOOT, EXACT = 2.5, 0.995
 ASKEW = {"zygomatic_major.left": 0.93, "zygomatic_major.right": 0.5, "depressor_labii.left": 0.96}
 TH = {"masseter": 0.11, "depressor_labii": 0.25, "tongue_up": 0.15, "tongue_out": 1.0}
 HEADS = shipped_heads()
-AGED = [("standard", 50), ("standard", 75), ("amara", 75), ("mei", 90), ("olaf", 25), ("kenji", 25)]
+AGED = [("standard", 50), ("standard", 75), ("amara", 75), ("mei", 90), ("olaf", 25), ("kenji", 75)]
 DAILY = [("amara", 75)]
 PRESSED = {"orbicularis_oris_presser": 1.0, "mentalis": 1.0}
 POSES = [
@@ -108,6 +108,14 @@ def test_the_tongue_shows_for_th(laws):
 def test_nothing_pierces_the_teeth_as_the_mouth_opens_wide(laws):
     for jaw in (0.5, 0.7, 1.0):
         assert max(laws.teeth_pierced({"masseter": jaw})) < PIERCED
+
+
+@pytest.mark.parametrize("name", everyday(HEADS, ["kwame", "olaf"]))
+@pytest.mark.parametrize("age", [None, 25.0, 60.0, 90.0])
+def test_lids_stand_about_the_iris_as_those_of_people(name, age):
+    upper, lower = lid_heights(load_head(name, age=age))
+    assert 3.0 < upper < 4.6
+    assert -6.4 < lower < -4.9
 
 
 @pytest.mark.parametrize("name", everyday(HEADS, ["amara"]))

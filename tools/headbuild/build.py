@@ -14,6 +14,7 @@ from risorius.face.identity import Identity
 
 from .bite import Bite, find_bite
 from .bust import Bust, cut_bust
+from .fissure import set_eyes
 from .jaw import Jaw, fit_jaw
 from .landmarks import INNER_LIPS, inner_lips, landmarks
 from .lids import clear_of_eyes, lid_pairs
@@ -43,8 +44,10 @@ class Shape:
 
     @classmethod
     def of(cls, source: Source, identity: Identity, template: Shape | None = None) -> Shape:
-        """Blend and cut the identity, hang the template's mouth into its lips, clear its eyes of the lids."""
-        bust = cut_bust(source, identity, template.bust if template else None)
+        """Blend and cut the identity, set its eyes and lids, hang the template's linings into its lips and
+        lids, clear its eyes of the lids.
+        """
+        bust = set_eyes(cut_bust(source, identity, template.bust if template else None), identity.age)
         if template:
             bust = bust.reshaped(lining(bust))
             bust = bust.reshaped(clear_of_eyes(bust))

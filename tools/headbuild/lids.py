@@ -7,11 +7,11 @@ import numpy as np
 from risorius.core.arrays import AnyArray
 
 from .bust import Bust
-from .loops import columns
+from .loops import columns, fill_inside
 
 # An edge of the loop along the lids' margin (left eye), in the base mesh.
 _MARGIN = (6784, 6785)
-_CLEAR = 0.42
+_CLEAR = 0.55  # mm: the subdivided margins come up to 0.15 mm nearer
 _SCALES = (0.45, 0.75)  # least and greatest share of the sculpt that is used
 
 
@@ -24,6 +24,13 @@ def lid_pairs(bust: Bust, side: str) -> AnyArray:
     """(14, 2) upper and lower vertices of the lids' margins that meet, left or right eye."""
     left = columns(margin(bust), bust.places)
     return left if side == "left" else bust.mirror[left]
+
+
+def behind_lids(bust: Bust) -> AnyArray:
+    """Vertices of the skin that lines the left eye's socket, within the margins of the lids."""
+    back = bust.eye_centre[0] - np.array([0.0, 0.0, bust.eye_radius[0]])
+    seed = int(np.linalg.norm(bust.rest - back, axis=1).argmin())
+    return fill_inside(bust.loops, bust.quads, seed, margin(bust))
 
 
 def close_lids(bust: Bust, rest: AnyArray, field: AnyArray, side: str) -> AnyArray:

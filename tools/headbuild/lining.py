@@ -1,4 +1,6 @@
-"""The inside of the lips and of the mouth, which the source's identities leave folded or offset."""
+"""The inside of the lips and of the mouth, which the source's identities leave folded or offset, and what
+lines the eyes' sockets, which they crowd at the corners of narrow eyes.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +10,7 @@ from scipy.sparse.linalg import splu
 from risorius.core.arrays import AnyArray
 
 from .bust import Bust
+from .lids import behind_lids
 from .loops import fill_inside
 
 _BORDER = (416, 417)  # an edge of the loop along the crest of the lips, in the base mesh
@@ -15,18 +18,20 @@ INSIDE = 535  # a vertex of the mouth's lining
 
 
 def lining(bust: Bust) -> AnyArray:
-    """Positions (N0, 3) of a bust whose mouth, from the lips' crest inwards, is shaped as the template's.
+    """Positions (N0, 3) of a bust whose mouth, from the lips' crest inwards, and whose sockets, from the
+    lids' margins inwards, are shaped as the template's.
 
-    It is hung into the lips by its Laplacian coordinates, turned and scaled to the face (Sorkine et al.
-    2004), so that upper and lower lip stand above each other wherever they do on the template.
+    They are hung into lips and lids by their Laplacian coordinates, turned and scaled to the face (Sorkine et
+    al. 2004), so that upper and lower lip stand above each other wherever they do on the template.
     """
-    border = bust.loop(*_BORDER)
     seed = int(bust.local(np.array([INSIDE]))[0])
-    inside = fill_inside(bust.loops, bust.quads, seed, border)
-    outside = np.setdiff1d(np.arange(len(bust.ids)), inside)
-    wanted = np.einsum("nij,nj->ni", bust.maps, bust.laplacian @ bust.places)[inside]
-    rows = bust.laplacian[inside]
+    mouth = fill_inside(bust.loops, bust.quads, seed, bust.loop(*_BORDER))
+    left = behind_lids(bust)
+    wanted = np.einsum("nij,nj->ni", bust.maps, bust.laplacian @ bust.places)
     result = bust.rest.copy()
-    held = wanted - rows[:, outside] @ result[outside]
-    result[inside] = splu(rows[:, inside].tocsc()).solve(held)
+    for inside in (mouth, left, bust.mirror[left]):
+        outside = np.setdiff1d(np.arange(len(bust.ids)), inside)
+        rows = bust.laplacian[inside]
+        held = wanted[inside] - rows[:, outside] @ result[outside]
+        result[inside] = splu(rows[:, inside].tocsc()).solve(held)
     return result
