@@ -67,7 +67,7 @@ def test_the_smile_yields_before_the_rounded_lips_of_very_and_returns(demo: riso
 
 
 def test_by_default_the_smile_gives_way_by_degrees_and_returns() -> None:
-    take = risorius.speak("You would love the moon.", emotion={"happiness": 1.0})
+    take = risorius.speak("You would really love the moon.", emotion={"happiness": 1.0})
     assert take.score.settings.conflict == "graded"
     smile, rounded = take.curves[SMILE], take.curves[FUNNELER]
     level = smile.max()

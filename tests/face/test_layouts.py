@@ -46,7 +46,7 @@ def test_a_fold_tells_its_sides_apart_and_tapers():
 
 
 def test_dimples_fill_an_ellipse():
-    chart = Dimples((0,), -2.0, 3.0, (10.0, 5.0), (1, 0, 0)).chart(
+    chart = Dimples((0,), -2.0, 3.0, (10.0, 5.0), "mentalis", 0.0).chart(
         MARKS, at((0, -2, 0), (11, -2, 0), (0, 4, 0))
     )
     np.testing.assert_allclose(chart.mask, [1.0, 0.0, 0.0])

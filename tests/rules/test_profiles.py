@@ -84,11 +84,11 @@ def test_an_emotion_may_be_a_file(tmp_path: Path) -> None:
         (DATA / "emotions" / "pride.toml")
         .read_text()
         .replace('"pride"', '"glee"')
-        .replace("AU12 = 0.5", "AU12 = 0.9")
+        .replace("AU12 = 0.55", "AU12 = 0.6")
     )
     file = tmp_path / "glee.toml"
     file.write_text(text)
     display = parse_display(f"{file}:0.5@1-2")
     assert (display.intensity, display.start) == (0.5, 1.0)
     assert emotion(display.emotion).name == "glee"
-    assert emotion(emotion_key(str(file))).targets(1.0)["zygomatic_major.left"] == 0.9
+    assert emotion(emotion_key(str(file))).targets(1.0)["zygomatic_major.left"] == 0.6
