@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..core.arrays import Float32Array
 from ..face.head import Head
-from ..looks.anatomy import find_anatomy
+from ..looks.anatomy import find_anatomy, smoothstep
 from ..looks.garment import neckline
 from ..looks.perfusion import LEAST, LIPS_ABSORB, MOST, SKIN_ABSORBS, skin_blood
 from ..render.lights import STUDIO
 from ..render.resting import light_at_rest
 from .stage_table import StageBlood, StageLamp, StageLight
 
+# What the lining of an open mouth sees of its surroundings: it begins and lessens so many mm behind the lips.
+LINING = 0.8
+LINING_BEGINS, LINING_LESSENS = (3.0, 9.0), (6.0, 42.0)
 HEM_STEPS = 4.0
 BLOOD_STEPS = 127.0
 
@@ -36,8 +40,18 @@ def shade(head: Head) -> bytes:
     1 / HEM_STEPS mm into the cloth that is worn; then how blood shows in skin, in lips, and where skin is
     bunched (`SkinBlood`), one for each 1 / BLOOD_STEPS, the last from 128 on.
     """
-    shares = light_at_rest(head, STUDIO)
+    shares = _lit_lining(head, light_at_rest(head, STUDIO))
     hem = 128.0 + HEM_STEPS * neckline(find_anatomy(head)).astype(np.float32)[:, None]
     shown = BLOOD_STEPS * np.stack(skin_blood(head, head.identity.looks), axis=1) + np.array([0, 0, 128])
     columns = np.concatenate([255.0 * shares.clip(0.0, 1.0), hem, shown], axis=1)
     return np.round(columns.clip(0.0, 255.0)).astype(np.uint8).tobytes()
+
+
+def _lit_lining(head: Head, shares: Float32Array) -> Float32Array:
+    """Return the shares with those of the mouth's lining when the lips part: at rest it is not seen."""
+    anatomy = find_anatomy(head)
+    behind = anatomy.mouth[2] - anatomy.skin[:, 2]
+    lined = LINING * smoothstep(*LINING_BEGINS, behind) * (1.0 - 0.8 * smoothstep(*LINING_LESSENS, behind))
+    lit = shares.copy()
+    lit[:, 0] = np.maximum(shares[:, 0], lined * anatomy.masks["inner_mouth"])
+    return lit
