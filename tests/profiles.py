@@ -1,6 +1,6 @@
 """What runs every day and what only `pytest --full` runs.
 
-Every day hypothesis tries a third of the examples, the same ones in each run of one state of the tests, so
+Every day hypothesis tries a quarter of the examples, the same ones in each run of one state of the tests, so
 that what fails is due to the change at hand. `--full` tries all of them, new ones in each run; a failure
 prints the line that reproduces it. No example is timed: the machine may be busy.
 """
@@ -17,7 +17,7 @@ T = TypeVar("T")
 _FULL = 100
 _UNTIMED = {"deadline": None, "suppress_health_check": [HealthCheck.too_slow]}
 settings.register_profile("full", max_examples=_FULL, print_blob=True, **_UNTIMED)
-settings.register_profile("everyday", max_examples=_FULL // 3, derandomize=True, **_UNTIMED)
+settings.register_profile("everyday", max_examples=_FULL // 4, derandomize=True, **_UNTIMED)
 
 
 def examples(full: int, **others: Any) -> settings:
