@@ -70,7 +70,7 @@ def whole(score: Score) -> float:
 
 
 def main() -> None:
-    """Measure and print one line."""
+    """Measure and print the model and all of the lips."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--minutes", type=float, default=60.0)
     parser.add_argument("--lips", default="effort")

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..core.arrays import Float32Array
 from ..face.head import Head
-from ..looks.anatomy import find_anatomy, smoothstep
+from ..looks.anatomy import Anatomy, find_anatomy, smoothstep
 from ..looks.garment import neckline
 from ..looks.perfusion import LEAST, LIPS_ABSORB, MOST, SKIN_ABSORBS, skin_blood
 from ..render.lights import STUDIO
@@ -40,16 +40,16 @@ def shade(head: Head) -> bytes:
     1 / HEM_STEPS mm into the cloth that is worn; then how blood shows in skin, in lips, and where skin is
     bunched (`SkinBlood`), one for each 1 / BLOOD_STEPS, the last from 128 on.
     """
-    shares = _lit_lining(head, light_at_rest(head, STUDIO))
-    hem = 128.0 + HEM_STEPS * neckline(find_anatomy(head)).astype(np.float32)[:, None]
+    anatomy = find_anatomy(head)
+    shares = _lit_lining(anatomy, light_at_rest(head, STUDIO))
+    hem = 128.0 + HEM_STEPS * neckline(anatomy).astype(np.float32)[:, None]
     shown = BLOOD_STEPS * np.stack(skin_blood(head, head.identity.looks), axis=1) + np.array([0, 0, 128])
     columns = np.concatenate([255.0 * shares.clip(0.0, 1.0), hem, shown], axis=1)
     return np.round(columns.clip(0.0, 255.0)).astype(np.uint8).tobytes()
 
 
-def _lit_lining(head: Head, shares: Float32Array) -> Float32Array:
+def _lit_lining(anatomy: Anatomy, shares: Float32Array) -> Float32Array:
     """Return the shares with those of the mouth's lining when the lips part: at rest it is not seen."""
-    anatomy = find_anatomy(head)
     behind = anatomy.mouth[2] - anatomy.skin[:, 2]
     lined = LINING * smoothstep(*LINING_BEGINS, behind) * (1.0 - 0.8 * smoothstep(*LINING_LESSENS, behind))
     lit = shares.copy()
