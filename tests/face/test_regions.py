@@ -35,7 +35,7 @@ TEXT = (resources.files("risorius.face") / "data" / "wrinkles.toml").read_text(e
             "t.toml:30:11: forehead.lines.anchor[0] = 68 is out of range",
         ),
         (
-            ("shadow = 0.8", "shadow = 8"),
+            ("shadow = 1.0", "shadow = 8"),
             "t.toml:27:1: forehead.shadow = 8 is out of range; expected a number from 0",
         ),
         (

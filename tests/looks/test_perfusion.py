@@ -76,6 +76,12 @@ def test_frowning_reddens_the_skin_between_the_brows(skin):
     assert mean_of(skin.solver.head, skin.change({"AU4": 1.0}), (0, 14, 27), 6.0)[1] < 0.99
 
 
+def test_folds_between_brows_that_are_raised_and_drawn_together_are_not_red(skin):
+    folding = next(p.zone.mask for p in place_regions(skin.solver.head) if p.region.name == "glabella")
+    change = skin.change({"AU1": 1.0, "corrugator_supercilii": 0.9})
+    assert change[folding > 0.8, 1].mean() > 0.99
+
+
 def test_both_sides_change_alike(skin):
     rest = skin.solver.head.skin.matrix @ skin.solver.head.rest
     fine_mirror = cKDTree(rest).query(rest * [-1.0, 1.0, 1.0])[1]

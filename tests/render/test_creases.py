@@ -111,3 +111,10 @@ def test_a_frown_is_a_soft_fold_and_no_scratch():
     slopes = {d: _ridge(np.float32(d), spacing, furrow, fine)[0] for d in (-0.7, 0.1, 0.7)}
     assert slopes[-0.7] == pytest.approx(-slopes[0.7])
     assert slopes[0.1] < 0.5 * slopes[0.7]
+
+
+def test_a_crease_is_darkest_and_quite_dark_at_its_bottom():
+    dark = [_ridge(np.float32(d), *(np.float32(n) for n in (8.2, 1.1, 0.05)))[1] for d in (0.0, 0.5, 2.0)]
+    assert dark[0] == pytest.approx(1.0, abs=0.01)
+    assert dark[0] > dark[1] > dark[2]
+    assert dark[2] < 0.1

@@ -33,7 +33,7 @@ from .attributes import ALBEDO
 SKIN_ABSORBS = f4(0.03), f4(0.29), f4(0.25)
 LIPS_ABSORB = f4(0.10), f4(0.46), f4(0.36)
 # Part of the gain that the skin of wrinkle regions gets: ridges lose blood; deep folds the shader reddens.
-_FOLDED = {"forehead": -0.8, "wing": 0.0, "sneer": 0.0}
+_FOLDED = {"forehead": -0.8, "glabella": -0.4, "nose_root": 0.0, "wing": 0.0, "sneer": 0.0}
 LEAST, MOST = f4(-0.12), f4(0.45)  # of the usual haemoglobin that skin gains, whatever its area
 _PRESSED = 0.45  # of the lips' blood that the greatest pressure drives out
 _YIELDING = 0.35  # activation of the presser at which two thirds of that is gone

@@ -103,6 +103,8 @@ def _fold(
 def _ridge(d: float, spacing: float, furrow: float, blur: float) -> tuple[float, float]:
     """Return the slope (1/mm) `d` mm from a crease of unit height with round shoulders, and its darkness.
 
+    The darkness is 1 at the bottom.
+
     h = 0.6·(1 − exp(−|d|/furrow)) + 0.4·sin²(πd/spacing): the tangent breaks at the crease (paper B) and
     is softened over a pixel's width, so that no crease is thinner than a pixel, and over a part of the
     furrow's, so that it is a soft fold with a lit and a shaded side and not a line.
@@ -110,11 +112,11 @@ def _ridge(d: float, spacing: float, furrow: float, blur: float) -> tuple[float,
     bottom = _ROUND * furrow
     sharp = math.sqrt(d * d + f4(0.35) * blur * blur + bottom * bottom)
     wide = furrow * f4(0.45) + f4(0.4) * blur
-    deep = math.exp(-sharp / wide)
+    steep, deep = math.exp(-sharp / wide), math.exp((bottom - sharp) / wide)
     # Nothing is visible if a pixel covers a large part of the spacing.
     seen = f4(1) - saturate((blur / spacing - f4(0.15)) * f4(4))
     turn = math.pi * d / spacing
-    rise = f4(0.6) * deep / wide * d / sharp + f4(0.4) * math.pi / spacing * math.sin(f4(2) * turn)
+    rise = f4(0.6) * steep / wide * d / sharp + f4(0.4) * math.pi / spacing * math.sin(f4(2) * turn)
     return rise * seen, deep * seen
 
 
