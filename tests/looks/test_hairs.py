@@ -6,7 +6,7 @@ from risorius.face.identity import Looks
 from risorius.looks.attributes import OCCLUSION
 from risorius.looks.brows import brow_shade, grow_brows
 from risorius.looks.hair_styles import grow_hair
-from risorius.looks.lashes import grow_lashes
+from risorius.looks.lashes import grow_lashes, lash_shade
 from risorius.looks.parts import hair_attributes
 from risorius.looks.scalp import flow, hair_density, hair_shade, inside_hairline, scalp_shade
 from risorius.looks.strands import Strands, root_frames
@@ -202,6 +202,22 @@ def test_light_reaches_the_roots_of_light_hair(anatomy, surface):
         for colour in (BROWN, np.full(3, 0.6))
     ]
     assert roots[1] > 1.5 * roots[0]
+
+
+def test_upper_lashes_reach_forwards_more_than_they_rise(head, surface):
+    """Seen from the front they are a dark line with fine tips, not a row of spikes over the lid."""
+    curves = curves_in_head(surface, grow_lashes(head, surface, BROWN, SKIN, upper=20, lower=10))[:20]
+    rise, reach = (curves[:, -1] - curves[:, 0])[:, 1], (curves[:, -1] - curves[:, 0])[:, 2]
+    assert rise.mean() < 0.7 * reach.mean()
+    assert 0.5 < rise.max() < 3.5
+
+
+def test_skin_is_darkened_at_the_margins_of_the_upper_lids_alone(head, anatomy):
+    shade = lash_shade(head, anatomy.skin)
+    for pairs in head.lid_pairs:
+        assert shade[pairs[:, 0]].min() > 0.99
+    away = np.abs(anatomy.skin[:, 1] - anatomy.eye_height) > 8.0
+    assert shade[away].max() < 0.01
 
 
 def test_lower_lashes_are_fainter_than_upper_ones(head, surface):

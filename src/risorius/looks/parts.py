@@ -31,6 +31,7 @@ from .complexion import paint_skin
 from .curvature import mean_curvature
 from .eyeball import cap
 from .garment import neckline
+from .lashes import lash_shade
 from .normals import Normals, triangles_as_faces
 from .scalp import scalp_shade
 from .srgb import linear
@@ -91,6 +92,7 @@ def skin_part(
     under = attributes[:, ALBEDO : ALBEDO + 3]
     for shade, colour in (
         (0.58 * brow_shade(anatomy), brows),
+        (0.6 * lash_shade(head, anatomy.skin), 0.35 * hair),
         (scalp_shade(anatomy, looks.hair_style), hair),
     ):
         under += shade[:, None].astype(np.float32) * (1.3 * colour.astype(np.float32) - under)
