@@ -16,7 +16,7 @@ POINTS = 4
 _SEED = 57
 _SHARE = 0.11
 _WIDTH = 0.2  # mm at the root
-_FAINT = 0.75  # share of the skin in the colour of the outermost
+_FAINT = 0.6  # share of the skin in the colour of the outermost
 
 
 def grow_hairline(anatomy: Anatomy, surface: Surface, colour: Array, skin: Array, count: int) -> Strands:

@@ -32,6 +32,7 @@ _SEED = 45
 _SHARE = 0.42  # longer hairs are drawn wider and in smaller number
 _BESIDE = 5  # a hair with fewer points of others near it is alone
 _SOFT = math.radians(3.0)  # how softly hair is held off the face
+_FINE = math.radians(-4.5), math.radians(1.5)  # where hairs that lie over the face's edge are finer: wisps
 _CROSSED = math.radians(7.0)  # how far a hair may lie over the face's edge
 # How far hair on the cheeks turns inwards and forwards, and by which share it is flatter.
 _INWARDS, _FORWARDS, _FLATTER = 0.45, 0.1, 0.7
@@ -60,7 +61,8 @@ def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -
     curves, way = respaced(curves, POINTS)
     shade = (0.74 + 0.36 * rng.random(count)) * lock * (1.5 - 0.5 * smoothstep(0.0, 12.0, within))
     fine = 0.34 + 0.66 * smoothstep(0.0, 14.0, within)
-    widths = 0.78 * fine[:, None] * (1.0 - 0.8 * way**3)
+    fine *= _beside_face(anatomy, curves)
+    widths = 0.78 * fine[:, None] * (1.0 - 0.8 * way**5)
     depths = 0.6 * (1.0 - layer) * smoothstep(2.0, 14.0, within)
     parted = _parted(anatomy, curves[:, 0])
     depths *= 1.0 - parted
@@ -92,6 +94,13 @@ def _in_place(anatomy: Anatomy, curves: Array) -> Array:
     is_bare = bare.reshape(len(curves), -1).any(axis=1)
     hangs_alone = curves[..., 1].min(axis=1) < hair_ends(anatomy) - 14.0 * anatomy.unit
     return np.asarray(~(is_bare | hangs_alone | _stands_off(anatomy, curves)))
+
+
+def _beside_face(anatomy: Anatomy, curves: Array) -> Array:
+    """Return by which factors (S,) hairs `curves` (S, P, 3) are finer that lie over the face's edge."""
+    angle, _, least = _around(anatomy, curves.reshape(-1, 3))
+    crossed = (angle - least).reshape(len(curves), -1).min(axis=1)
+    return 0.35 + 0.65 * smoothstep(*_FINE, crossed)
 
 
 def _stands_off(anatomy: Anatomy, curves: Array) -> Array:

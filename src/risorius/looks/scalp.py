@@ -20,13 +20,15 @@ FACE = ((-45.0, -12.0, 10.0, 30.0, 46.0, 56.0, 61.0), (46.0, 49.0, 51.0, 52.0, 5
 LAYERS = 4
 # How far, in mm, hair of each style stands out over the skin beside it.
 _THICK = {"short": 16.0, "medium": 20.0, "shaved": 0.0, "bald": 0.0}
+# Share of the light that hair takes from what lies below it: some comes through between the hairs.
+_BURIED = 0.75
 # How much the scalp is darkened under each style of hair.
-_UNDER = {"short": 0.9, "medium": 0.92, "shaved": 0.8, "bald": 0.0}
+_UNDER = {"short": 0.9, "medium": 0.98, "shaved": 0.8, "bald": 0.0}
 # mm inside the hairline over which hair of each style begins, so that its edge has no hairs alone: scratches.
-EDGES = {"short": (0.0, 6.0), "medium": (3.0, 11.0)}
+EDGES = {"short": (0.0, 6.0), "medium": (1.0, 8.0)}
 # mm inside the even hairline over which that shade rises: slowly, as skin knows it at few points, and where
 # hair hides it. Stubble hides nothing.
-_SHADES = {"short": (1.0, 20.0), "medium": (3.0, 20.0), "shaved": (-2.5, 21.0), "bald": (0.0, 1.0)}
+_SHADES = {"short": (1.0, 20.0), "medium": (3.0, 14.0), "shaved": (-2.5, 21.0), "bald": (0.0, 1.0)}
 
 
 def inside_hairline(anatomy: Anatomy, points: Array, uneven: float = 1.0) -> Array:
@@ -79,7 +81,7 @@ def hair_shade(anatomy: Anatomy, style: str, lamps: FloatArray, albedo: float) -
     behind = _behind_hair(anatomy) if style == "medium" else np.zeros(len(skin))
     # Light comes to the skin through the hair, the more the lighter this is.
     kept = 1.0 - albedo
-    covered = np.maximum(kept * _hidden(anatomy, style), behind)
+    covered = np.maximum(_BURIED * kept * _hidden(anatomy, style), behind)
     cast = np.stack([0.85 * kept * ahead(lamp) for lamp in np.asarray(lamps, np.float64)], axis=1)
     around = np.maximum(0.5 * kept * ahead(np.array([0.0, 1.0, 0.0])), np.exp(-4.0 * albedo) * behind)
     return 1.0 - (1.0 - covered[:, None]) * (1.0 - cast), around
@@ -105,9 +107,9 @@ def _behind_hair(anatomy: Anatomy) -> Array:
     angle = np.degrees(np.arctan2(np.abs(skin[:, 0]), skin[:, 2] - AXIS * u))
     free = np.interp((skin[:, 1] - anatomy.eye_height) / u, *FACE)
     end = hair_ends(anatomy)
-    height = smoothstep(end - 16.0 * u, end + 4.0 * u, skin[:, 1])
+    height = smoothstep(end - 12.0 * u, end + 8.0 * u, skin[:, 1])
     height *= smoothstep(36.0 * u, 16.0 * u, skin[:, 1] - anatomy.eye_height)
-    return np.asarray(smoothstep(-1.0, 9.0, angle - free) * height)
+    return np.asarray(smoothstep(-2.0, 5.0, angle - free) * height)
 
 
 def flow(anatomy: Anatomy, points: Array, normals: Array) -> Array:
