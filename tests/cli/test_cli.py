@@ -241,6 +241,22 @@ def test_an_interrupt_leaves_nothing(number: signal.Signals, folder: Path) -> No
     assert list(folder.iterdir()) == []
 
 
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_an_interrupt_while_modules_load_is_one_line(number: signal.Signals) -> None:
+    code = f"""
+import os, sys
+class Interrupting:
+    def find_spec(self, name, *_):
+        if name == "risorius.cli.align":
+            os.kill(os.getpid(), {number.value})
+sys.meta_path.insert(0, Interrupting())
+from risorius.__main__ import main
+main()
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (130, "risorius: interrupted; nothing was written\n")
+
+
 def test_an_interrupt_within_exec_has_our_exit_code(folder: Path) -> None:
     Path("program.py").write_text("""
 import os, signal, sys
