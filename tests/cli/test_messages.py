@@ -53,7 +53,7 @@ def test_json_is_an_object_a_line(capsys: pytest.CaptureFixture[str]) -> None:
     assert fault["error"].startswith("x.xml:1:")
     assert (fault["file"], fault["line"]) == ("x.xml", 1)
     assert run(["spaek", "--json"]) == 2
-    assert objects(capsys.readouterr().err) == [{"error": "No such command 'spaek'. Did you mean 'speak'?"}]
+    assert objects(capsys.readouterr().err) == [{"error": "unknown command 'spaek'; did you mean 'speak'?"}]
 
 
 def test_lists_are_objects_as_well(capsys: pytest.CaptureFixture[str]) -> None:

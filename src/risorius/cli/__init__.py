@@ -22,7 +22,7 @@ from .explain import explain
 from .listing import list_
 from .messages import choose_form, send
 from .mix import mix
-from .options import flag
+from .options import CommandGroup, flag
 from .play import play
 from .pose import pose
 from .rig import rig
@@ -120,7 +120,7 @@ SECTIONS = {
 }
 
 
-class Commands(click.Group):
+class Commands(CommandGroup):
     """All commands; help lists them in sections, those that are wanted first before the others."""
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:

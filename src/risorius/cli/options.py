@@ -57,6 +57,18 @@ class Command(click.Command):
                 formatter.write_dl(records)
 
 
+class CommandGroup(click.Group):
+    """Commands under one name; a name that no command has is answered as every unknown name is."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Return the name of the command, the command and its arguments; fail if there is no such command."""
+        if args and not args[0].startswith("-") and self.get_command(ctx, args[0]) is None:
+            ctx.fail(unknown("command", args[0], self.commands))
+        return super().resolve_command(ctx, args)
+
+
 class Option(click.Option):
     """An option that stands under a heading in help."""
 

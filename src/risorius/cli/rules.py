@@ -9,12 +9,12 @@ import click
 from ..core.setting import Names
 from ..errors import InputError
 from .messages import print_table
-from .options import Command, Named, rules_option
+from .options import Command, CommandGroup, Named, rules_option
 
 RULE = Named(Names(path="rules.rule_set:rule_names"))
 
 
-@click.group(short_help="List, show and check the rules.")
+@click.group(cls=CommandGroup, short_help="List, show and check the rules.")
 def rules() -> None:
     """List, show and check the rules that turn speech into movements, with the changes of a file of yours."""
 
