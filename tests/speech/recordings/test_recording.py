@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import warnings
 from pathlib import Path
 
@@ -39,6 +40,8 @@ def refusal(path: Path) -> str:
 def test_a_missing_file_a_folder_and_what_is_no_sound_are_refused(tmp_path: Path) -> None:
     assert "there is no such file" in refusal(tmp_path / "x.wav")
     assert "is a folder" in refusal(tmp_path)
+    os.mkfifo(tmp_path / "pipe.mp3")
+    assert "is not a regular file" in refusal(tmp_path / "pipe.mp3")
     (tmp_path / "text.wav").write_text("These are no samples. " * 20)
     assert "expected WAV, FLAC, OGG, MP3, M4A, MP4, MOV or WebM" in refusal(tmp_path / "text.wav")
     (tmp_path / "text.mp3").write_text("These are no samples. " * 20)

@@ -79,6 +79,8 @@ def _opened(path: Path, place: Place) -> SoundFileSource | FilmSound:
             raise InputError("there is no such file; expected a recording", place)
         if path.is_dir():
             raise InputError("is a folder; expected a recording", place)
+        if not path.is_file():  # a pipe cannot be read twice, a device never ends
+            raise InputError("is not a regular file; expected a recording that is saved in a file", place)
         with path.open("rb") as file:
             container = container_of(file.read(_BEGINNING))
     except (OSError, ValueError) as error:
@@ -183,7 +185,12 @@ class _Checks:
             raise InputError("is silent; expected speech", place)
         if self.odd:
             at = self.odd_from / self.sample_rate
-            _warn(place, f"{self.odd:,} samples are not numbers, the first at {at:.3f} s; taken as silence")
+            what = (
+                "1 sample is not a number,"
+                if self.odd == 1
+                else f"{self.odd:,} samples are not numbers, the first"
+            )
+            _warn(place, f"{what} at {at:.3f} s; taken as silence")
         if self.clipped > CLIPPED_SHARE * audio.frames:
             share, at = 100.0 * self.clipped / audio.frames, self.clipped_from / self.sample_rate
             _warn(
