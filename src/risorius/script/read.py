@@ -40,7 +40,7 @@ RECORDING_SUFFIXES = (
 
 
 def read_script(script: str, *, text: bool = False, source: str = "text") -> Script:
-    """Return the script of `given`: a file where it names one or ends as one, else the words themselves.
+    """Return the script of `script`: a file if it names one or ends like one, else the words themselves.
 
     `text`: take it as words whatever it looks like. `source` names the words in messages. Raises InputError
     or ParameterError with the place in the file.
