@@ -19,9 +19,10 @@ from .ageing import DEFAULT_AGE, SkinAge, skin_at
 from .bulges import Bulges
 from .compression import Compression
 from .head import Head
-from .layouts import Dimples, Fold
+from .layouts import Dimples
 from .marks import Marks
 from .regions import PlacedRegion, check_factors, place_regions
+from .relief import relief
 
 # Excess length that stays flat before a fold rises: a square root alone would start infinitely steep and show
 # every tremor.
@@ -41,13 +42,12 @@ class Wrinkles:
     ) -> None:
         self.age = age
         factor, skin = check_factors(factors or {}), skin_at(age)
-        placed, compression = _folding(head)
+        placed, compression, self._relief = _folding(head)
         self._bulges = Bulges(head)
         self._compression = compression.anew()
         rows = self._compression
         self._mask = np.concatenate([p.zone.mask[p.zone.mask > 0.0] for p in placed])
         self._law = _law(placed, skin, factor, Marks.of(head).unit)
-        self._relief = np.concatenate([_relief(p)[p.zone.mask > 0.0] for p in placed])
         self._stretch = np.empty(len(rows.row_vertex))
         self._drawn_in = [_DrawnIn.of(p, z, rows.row_zone) for z, p in enumerate(placed) if _draws_in(p)]
         self._lift = np.zeros(head.skin.matrix.shape[0])
@@ -82,9 +82,9 @@ class Wrinkles:
 
 
 @lru_cache(maxsize=4)
-def _folding(head: Head) -> tuple[tuple[PlacedRegion, ...], Compression]:
+def _folding(head: Head) -> tuple[tuple[PlacedRegion, ...], Compression, Array]:
     placed = place_regions(head)
-    return placed, Compression.of(head, [p.zone for p in placed], taut=True)
+    return placed, Compression.of(head, [p.zone for p in placed], taut=True), relief(head, placed)
 
 
 class _DrawnIn(NamedTuple):
@@ -142,15 +142,6 @@ def _law(placed: Sequence[PlacedRegion], skin: SkinAge, factor: Array, unit: flo
             for p, f in zip(placed, factor, strict=True)
         ]
     )
-
-
-def _relief(placed: PlacedRegion) -> Array:
-    """Return the share (N1,) of a region's height that the mesh moves by: creases down, shoulders up."""
-    phase, share = placed.phase, placed.region.sizes.relief
-    if isinstance(placed.region.layout, Fold):
-        beyond = np.maximum(phase, 0.0) / 0.35
-        return share * (beyond * np.exp(1.0 - beyond) - 0.25 * np.exp(-((phase / 0.16) ** 2)))
-    return -0.5 * share * np.cos(2.0 * np.pi * phase)
 
 
 @device
