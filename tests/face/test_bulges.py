@@ -75,3 +75,10 @@ def test_bulges_are_mirrored(lift, fine_mirror):
     left = lift({"mentalis.left": 1.0, "zygomatic_major.left": 0.8, "corrugator_supercilii.left": 1.0})
     right = lift({"mentalis.right": 1.0, "zygomatic_major.right": 0.8, "corrugator_supercilii.right": 1.0})
     np.testing.assert_allclose(left, right[fine_mirror], atol=2e-3)
+
+
+def test_raised_inner_brows_leave_the_glabella_flat(lift, rest):
+    """Its skin is pushed together upwards; it swells where the brows are drawn together."""
+    root = (np.abs(rest[:, 0]) < 4.0) & (rest[:, 1] > -5.0) & (rest[:, 1] < 18.0) & (rest[:, 2] > 20.0)
+    assert lift({"frontalis_medialis": 1.0})[root].max() < 0.05
+    assert lift({"corrugator_supercilii": 1.0})[root].max() > 0.3

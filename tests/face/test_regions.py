@@ -16,33 +16,33 @@ TEXT = (resources.files("risorius.face") / "data" / "wrinkles.toml").read_text(e
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (("cap = ", "cup = "), "t.toml:23:1: unknown key 'forehead.cup'; did you mean 'cap'"),
+        (("cap = ", "cup = "), "t.toml:25:1: unknown key 'forehead.cup'; did you mean 'cap'"),
         (
             ("static = 0.35\n", ""),
-            "t.toml:21:1: key 'forehead.static' is missing; expected a number from 0 to 200",
+            "t.toml:23:1: key 'forehead.static' is missing; expected a number from 0 to 200",
         ),
         (
             ("[forehead.lines]", "[forehead.line]"),
-            "t.toml:29:1: unknown key 'forehead.line'; did you mean 'lines'",
+            "t.toml:32:1: unknown key 'forehead.line'; did you mean 'lines'",
         ),
         (
             ("[forehead.lines]", "[lines.lines]"),
-            "t.toml:21:1: has the layouts none; expected one of lines, fan",
+            "t.toml:23:1: has the layouts none; expected one of lines, fan",
         ),
-        (("anchor = [19, 24]", "anchor = []"), "t.toml:30:1: there is no landmark; expected at least one"),
+        (("anchor = [19, 24]", "anchor = []"), "t.toml:33:1: there is no landmark; expected at least one"),
         (
             ("anchor = [19, 24]", "anchor = [68]"),
-            "t.toml:30:11: forehead.lines.anchor[0] = 68 is out of range",
+            "t.toml:33:11: forehead.lines.anchor[0] = 68 is out of range",
         ),
         (
             ("shadow = 1.0", "shadow = 8"),
-            "t.toml:27:1: forehead.shadow = 8 is out of range; expected a number from 0",
+            "t.toml:30:1: forehead.shadow = 8 is out of range; expected a number from 0",
         ),
         (
             ("bow = -0.0018", "bow = true"),
-            "t.toml:38:1: forehead.lines.bow = true cannot be used; expected a number",
+            "t.toml:41:1: forehead.lines.bow = true cannot be used; expected a number",
         ),
-        (("[forehead]", "[forehead"), "t.toml:21:10: is not a TOML file"),
+        (("[forehead]", "[forehead"), "t.toml:23:10: is not a TOML file"),
     ],
 )
 def test_a_table_that_does_not_fit_is_named(change, message):

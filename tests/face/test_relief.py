@@ -12,7 +12,7 @@ from risorius.face.solve import FaceSolver
 from .conftest import values_of
 from .flips import Flips, normals
 
-# A sneer and a smile of the same side: the folds beside the wing of the nose turned a face of its crease over.
+# A sneer and a smile of the same side: the folds beside the wing of the nose turned a face over.
 CREASED = {
     "zygomatic_major.right": 0.91,
     "levator_labii_nasi.right": 0.95,

@@ -126,6 +126,16 @@ def test_mentalis_alone_puckers_the_chin(young):
         assert tallest(young, {muscle: 1.0})[INDEX["chin"]] == 0.0
 
 
+def test_the_side_of_the_nose_folds_under_its_own_muscle_alone(old):
+    still, bunny = tallest(old, {}), INDEX["bunny"]
+    assert tallest(old, {**SMILE, "AU7": 1.0})[bunny] <= still[bunny] + 1e-6
+    assert tallest(old, {"AU9": 0.5})[bunny] > 0.5
+
+
+def test_a_young_forehead_folds_where_frontalis_ends_in_it(young):
+    assert 0.1 < tallest(young, {"AU1": 0.3, "AU2": 0.3})[INDEX["forehead"]] < 0.3
+
+
 def test_stretched_skin_folds_no_more_and_opens_its_creases(old):
     still, stretched = tallest(old, {}), tallest(old, {"masseter": 1.0})
     # The lower end of the nasolabial fold is pushed by the corner of the mouth; the cheek narrows beside it.

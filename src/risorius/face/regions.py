@@ -34,6 +34,8 @@ class Sizes:
     furrow: Spacing
     shadow: Share
     relief: Share
+    slack: Share = 1.0
+    muscle: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -50,6 +50,11 @@ class Wrinkles:
         self._law = _law(placed, skin, factor, Marks.of(head).unit)
         self._stretch = np.empty(len(rows.row_vertex))
         self._drawn_in = [_DrawnIn.of(p, z, rows.row_zone) for z, p in enumerate(placed) if _draws_in(p)]
+        self._held = [
+            _HeldFlat.of(p.region.sizes.muscle, z, rows)
+            for z, p in enumerate(placed)
+            if p.region.sizes.muscle
+        ]
         self._lift = np.zeros(head.skin.matrix.shape[0])
         self.shape = (head.skin.matrix.shape[0], len(placed))
         self._raised = _Raised(head, np.union1d(rows.row_vertex[self._relief != 0.0], self._bulges.vertices))
@@ -67,6 +72,8 @@ class Wrinkles:
         rows.measure(skin, self._stretch)
         for drawn in self._drawn_in:
             self._stretch[drawn.rows] = 1.0 - drawn.gathers * float(values[drawn.muscle].mean())
+        for held in self._held:
+            held.flatten(values, self._stretch)
         _fold(
             self._stretch,
             rows.row_vertex,
@@ -104,6 +111,38 @@ class _DrawnIn(NamedTuple):
         return cls(slice(int(first), int(last)), parameters, layout.gathers)
 
 
+class _HeldFlat(NamedTuple):
+    """Rows of the stretch that fold under one muscle alone, its left or right one by their `side`."""
+
+    rows: slice
+    side: Array
+    left: int
+    right: int
+    work: tuple[Array, Array]
+
+    @classmethod
+    def of(cls, muscle: str, zone: int, rows: Compression) -> _HeldFlat:
+        """Find the rows of a zone that folds under a `muscle` alone."""
+        first, last = np.searchsorted(rows.row_zone, [zone, zone + 1])
+        own = slice(int(first), int(last))
+        work = (np.empty(last - first), np.empty(last - first))
+        return cls(own, rows.row_side[own], INDEX[f"{muscle}.left"], INDEX[f"{muscle}.right"], work)
+
+    def flatten(self, values: Array, stretch: Array) -> None:
+        """Take from the compression in `stretch` (r,) what other muscles than this one cause."""
+        own, (idle, shortened) = stretch[self.rows], self.work
+        left, right = ((1.0 - float(values[k])) ** 2 for k in (self.left, self.right))
+        if left == right == 1.0:
+            np.maximum(own, 1.0, out=own)
+            return
+        np.multiply(self.side, left - right, out=idle)
+        idle += right
+        np.subtract(1.0, own, out=shortened)
+        np.maximum(shortened, 0.0, out=shortened)
+        shortened *= idle
+        own += shortened
+
+
 def _draws_in(placed: PlacedRegion) -> bool:
     return isinstance(placed.region.layout, Dimples)
 
@@ -134,7 +173,7 @@ def _law(placed: Sequence[PlacedRegion], skin: SkinAge, factor: Array, unit: flo
         [
             (
                 p.region.sizes.width * unit,
-                skin.give,
+                skin.give * p.region.sizes.slack,
                 skin.gain * f,
                 skin.static * f * p.region.sizes.static * unit,
                 p.region.sizes.cap * unit,
