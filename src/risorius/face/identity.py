@@ -30,8 +30,8 @@ class Looks:
 
     `skin`, `lips`, `lining` (inside of the mouth) and `cloth`; `hair` of head and lashes, and of the `brows`
     if these have no colour of their own; `iris` at the pupil and at the rim. `flush`, 0 to 2: how much redder
-    or darker cheeks, nose, ears and lids are. `hair_style`: one of `HAIR_STYLES`; `hairs` and `brow_hairs`:
-    how many grow on the head, and on each brow.
+    or darker cheeks, nose, ears and lids are; `beard`, 0 to 1: how dark a shaved beard shows. `hair_style`:
+    one of `HAIR_STYLES`; `hairs` and `brow_hairs`: how many grow on the head, and on each brow.
     """
 
     skin: ByteColour = (212, 165, 140)
@@ -43,6 +43,7 @@ class Looks:
     brows: ByteColour | None = None
     iris: tuple[ByteColour, ByteColour] = ((132, 112, 74), (74, 94, 104))
     flush: Annotated[float, Range(0.0, 2.0)] = 1.0
+    beard: Share = 0.0
     hairs: Annotated[int, Range(100, 40_000)] = 8500
     brow_hairs: Annotated[int, Range(20, 2000)] = 360
 

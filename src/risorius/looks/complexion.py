@@ -13,8 +13,8 @@ from .srgb import linear
 
 # Factors on the albedo of regions.
 _TINTS = {
-    "cheek": (1.02, 0.79, 0.79),
-    "nose": (1.01, 0.77, 0.75),
+    "cheek": (1.02, 0.82, 0.82),
+    "nose": (1.01, 0.80, 0.78),
     "nostril": (0.96, 0.82, 0.80),
     "chin": (1.0, 0.91, 0.91),
     "under_eye": (0.97, 0.91, 0.93),
@@ -23,6 +23,8 @@ _TINTS = {
     "ears": (1.0, 0.82, 0.80),
     "lids": (0.97, 0.91, 0.91),
 }
+
+_SHAVED = 0.34  # share of the hairs' colour in skin under the densest shaved beard
 
 
 def paint_skin(anatomy: Anatomy, looks: Looks, neckline: Array, curvature: Array) -> Float32Array:
@@ -52,7 +54,7 @@ def _regions(a: Anatomy) -> dict[str, Array]:
     front = smoothstep(-45.0 * u, 5.0 * u, p[:, 2])
     cheek_height = 0.55 * a.eye_height + 0.45 * a.mouth[1]
     return {
-        "cheek": front * _blob(p, (39 * u, cheek_height - 4 * u), (16 * u, 14 * u)),
+        "cheek": front * _blob(p, (37 * u, cheek_height - 2 * u), (23 * u, 15 * u)),
         "nose": np.exp(-((np.linalg.norm(p - a.nose_tip, axis=1) / (13 * u)) ** 2)),
         "nostril": front * _blob(p, (14 * u, a.nose_tip[1] - 2 * u), (6 * u, 6 * u)),
         "chin": front * _blob(p, (0.0, 0.3 * a.mouth[1] + 0.7 * a.chin + 2 * u), (15 * u, 9 * u)),
@@ -62,6 +64,19 @@ def _regions(a: Anatomy) -> dict[str, Array]:
         "ears": a.masks["ears"],
         "lids": a.masks["lids"] * (p[:, 2] > 0),
     }
+
+
+def beard(a: Anatomy) -> Array:
+    """Return how densely, 0..1, a beard grows at each skin vertex (N1,)."""
+    p, u, mouth = a.skin, a.unit, float(a.mouth[1])
+    aside = np.abs(p[:, 0]) / u
+    top = mouth + u * (13.0 + 0.75 * np.maximum(aside - 26.0, 0.0))
+    dense = (1.0 - smoothstep(-7.0 * u, 7.0 * u, p[:, 1] - top)) * smoothstep(-78.0 * u, -52.0 * u, p[:, 2])
+    dense *= smoothstep(a.chin - 38.0 * u, a.chin + 2.0 * u, p[:, 1])
+    # Few hairs grow below the lower lip beside its middle, and in the groove below the nose.
+    dense *= 1.0 - 0.55 * _blob(p, (15.0 * u, mouth - 13.0 * u), (8.0 * u, 5.0 * u))
+    dense *= 1.0 - 0.4 * np.exp(-((p[:, 0] / (3.0 * u)) ** 2)) * smoothstep(mouth, mouth + 8.0 * u, p[:, 1])
+    return np.asarray(dense * (1.0 - a.masks["ears"]) * (0.95 + 0.09 * noise_at(p, 7.0)))
 
 
 def _tint(colour: Array, amount: Array, factors: tuple[float, float, float]) -> Array:
@@ -75,6 +90,8 @@ def _albedo(a: Anatomy, looks: Looks) -> Array:
     for name, amount in _regions(a).items():
         if name in _TINTS:
             colour = _tint(colour, flush * amount, _TINTS[name])
+    hairs = linear(looks.brows or looks.hair)
+    colour = colour + (_SHAVED * looks.beard * beard(a))[:, None] * (hairs - colour)
     uneven = 0.5 * noise_at(p, 26.0) + 0.6 * noise_at(p, 11.0)
     colour = _tint(colour, flush * 0.026 * uneven, (0.4, 2.0, 1.8))
     lips = smoothstep(0.25, 0.75, a.masks["lips"])[:, None]

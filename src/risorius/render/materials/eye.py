@@ -37,7 +37,7 @@ _LIMBUS = f4(0.045)  # half the width of its soft edge
 _CORNEA = f4(0.46)  # centre of the cornea's sphere on the axis, in radii of the eye
 _DEPTH = f4(0.075)  # of the iris behind the limbus, in radii of the eye
 _REFRACTION = f4(1 / 1.336)
-_WHITE = (f4(0.70), f4(0.635), f4(0.585))
+_WHITE = (f4(0.62), f4(0.57), f4(0.53))
 _PINK = (f4(0.56), f4(0.25), f4(0.21))
 _FLESH = (f4(0.50), f4(0.185), f4(0.155))  # the caruncle, in the inner corner
 
@@ -223,7 +223,7 @@ def _wet(
     for k in range(min(len(lamps), _FRONT)):
         direction, colour = lamp_direction(lamps, k), lamp_colour(lamps, k)
         size = f4(0.23) if k == 0 else f4(0.26)
-        bright = f4(1.9) if k == 0 else f4(0.5)
+        bright = f4(1.9) if k == 0 else f4(0.25)
         total = along(total, colour, _window(back, direction, size) * free * bright)
     line = unit(add(outward, (f4(0), f4(0.8), f4(0))))
     tears = smooth(f4(0), f4(0.22), above) * (f4(1) - smooth(f4(0.35), f4(0.8), above))
