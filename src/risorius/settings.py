@@ -216,7 +216,7 @@ class Settings(metaclass=Named):
         "Emotional voice", True, "Whether emotions change the voice.", metavar="on|off")
     answers: str | None = _voice(
         "Answers", None,
-        "The question that the line answers: what is new gets the accents, what is given none.",
+        "The question that the line answers: new words get accents, words of the question get none.",
         metavar="QUESTION", unset="no question")
     lead: float = _silence(
         "Silence before, s", 0.5, "Silence before plain text.", metavar="S", low=0.0, high=60.0, step=0.1)
@@ -231,7 +231,7 @@ class Settings(metaclass=Named):
         find="rules.profiles:attitude")
     expression: str = _manner(
         "Emotions are", "felt",
-        "Whether emotions are felt, or posed: faster, less smooth, and without effect on all else.",
+        "Whether emotions are felt or posed. Posed ones are faster, less smooth, and change nothing else.",
         names="rules.expressions:expressions")
     blinks: str | None = _manner(
         "Blinks", None, "How blinks are timed: natural, itti, pelachaud or none.",

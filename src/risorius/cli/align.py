@@ -18,7 +18,7 @@ from .outputs import written
 @output_option
 @setting_options(names=("language",))
 def align(audio: str, transcript: str | None, outputs: tuple[Path, ...], language: str | None) -> None:
-    """Say when each word and phone of TRANSCRIPT (a text or a file with it) is spoken in AUDIO.
+    """Find when each word and phone of TRANSCRIPT (a text, or a file) is spoken in AUDIO.
 
     Correct the TextGrid in Praat, then perform it: risorius speak x.TextGrid --audio x.wav. Without a
     TRANSCRIPT the words are guessed, as English.

@@ -91,7 +91,7 @@ def batch(
     Columns: id, and text, script (a file), or audio with transcript; every option of
     `speak` may be a column, or an option for all lines.
 
-    Start a run that was interrupted again to continue it: lines that are complete and unchanged are not made
+    To continue a run that was interrupted, start it again: lines that are complete and unchanged are not made
     again. The exit code is 1 if a line failed; errors.jsonl lists these lines.
     """
     from ..batches.library import BatchPlan, usual_processes

@@ -30,7 +30,7 @@ from .options import Command, Named, NumberIn, option
 def explain(performance: Path, at: float | None, parameter: str | None) -> None:
     """Say why the face does what it does, from a PERFORMANCE (.performance.json).
 
-    Each value goes back to the movement that won and its cause in the script, and each loser has its reason.
+    For each value you see the movement that won, its cause in the script, and why each other movement lost.
     """
     from ..api import load
     from ..blend.narrate import narrate

@@ -39,9 +39,9 @@ from .options import Command, option, setting_options, settings_from
 def rig(
     character: Path, map_file: Path | None, perform: str | None, output: Path | None, **chosen: Any
 ) -> None:
-    """Say what a CHARACTER of yours (.glb with blend shapes) can show; perform on it.
+    """Check what your CHARACTER (.glb with blend shapes) can show, or perform on it.
 
-    Without --map the targets are guessed by name and shown as a table to correct: save it and give it back.
+    Without --map the targets are guessed by name and printed as a table: save, correct and pass it as --map.
     """
     from ..api import rig as report
     from ..api import speak

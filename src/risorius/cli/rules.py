@@ -16,14 +16,14 @@ RULE = Named(Names(path="rules.rule_set:rule_names"))
 
 @click.group(cls=CommandGroup, short_help="List, show and check the rules.")
 def rules() -> None:
-    """List, show and check the rules that turn speech into movements, with the changes of a file of yours."""
+    """List, show and check the rules that turn speech into movements, with those of your file."""
 
 
 @rules.command(name="list", cls=Command, no_args_is_help=False)
 @click.argument("prefix", required=False, type=RULE)
 @rules_option
 def list_rules(prefix: str | None, rules: Path | None) -> None:
-    """List all rules, or those whose id is PREFIX or begins with it up to a dot."""
+    """List all rules, or those below PREFIX, e.g. signals.brows."""
     from .listing import rule_rows
 
     print_table(*rule_rows(rules, prefix))
@@ -43,7 +43,7 @@ def show(name: str, rules: Path | None) -> None:
 @rules.command(cls=Command)
 @rules_option
 def doctor(rules: Path | None) -> None:
-    """Check the rules: those that can never fire, name nothing, or stand in each other's way."""
+    """Find unknown names, and rules that can never fire or conflict."""
     from ..rules.doctor import examine
     from ..rules.rule_set import rule_set_of
 

@@ -29,7 +29,7 @@ _VARIABLE = "RISORIUS_TOKEN"
     "--token-file",
     group="Clients",
     type=click.Path(path_type=Path),
-    help=f"File with the token that clients must say; {_VARIABLE} may hold it instead.",
+    help=f"File with the token that clients must send; {_VARIABLE} may hold it instead.",
 )
 @option(
     "--origin",

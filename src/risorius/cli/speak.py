@@ -35,8 +35,8 @@ def speak(
     Files: .txt, .xml, .utt, .ssml, .bml, .TextGrid, .score.json. Without -o the video performance.mp4 is
     written here.
 
-    With --audio a recorded voice is performed. It says INPUT or the transcript, or is labelled by INPUT (a
-    .TextGrid); without these its words are guessed.
+    With --audio a recorded voice is performed. INPUT or --transcript gives its words; if INPUT is a
+    .TextGrid, it gives their times as well. Without these the words are guessed.
     """
     spoken = Spoken(source, is_text, emotions, audio, transcript)
     settings = settings_from(chosen)

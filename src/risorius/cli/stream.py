@@ -44,7 +44,7 @@ _READ = (Stage.VOICE, Stage.PLAN, Stage.COMBINE, Stage.FRAMES, Stage.HEAD, Stage
     "--listen",
     group="Receiver",
     metavar="HOST[:PORT]",
-    help="Wait here for a receiver's greeting, as of iFacialMocap, and send to that receiver.",
+    help="Wait at this address for the greeting of a receiver (iFacialMocap), and send to it.",
 )
 @option(
     "--patience",
@@ -92,8 +92,8 @@ def stream(
 ) -> None:
     """Perform INPUT (a text, a file, or - for standard input) for another program, live.
 
-    The sound is the clock; late frames are dropped. With --audio a recorded voice is performed, as by speak.
-    Standard input is said sentence by sentence as it comes, until it ends.
+    The sound is the clock; late frames are dropped. With --audio a recorded voice is performed, as in
+    `speak`. Standard input is said sentence by sentence as it comes, until it ends.
     """
     from ..api import displays_of
     from ..stream import PATIENCE, PROTOCOLS, Options, check_options, parse_address, send_live, send_take

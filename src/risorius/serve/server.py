@@ -41,7 +41,7 @@ LOG = logging.getLogger(__name__)
 class ServeOptions:
     """Where the server listens, for whom, and what for.
 
-    `token`: what clients must say; needed where `host` is another machine's way in. `origins`: pages of other
+    `token`: what clients must send; needed if other machines can reach `host`. `origins`: pages of other
     servers that may connect. `clients`: how many at once. `rig`: the character whose morph targets are sent.
     `face` makes a client's face of its settings: an agent's answers where others say what they are given.
     Raises InputError for a server that anybody could use.
