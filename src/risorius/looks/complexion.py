@@ -70,7 +70,7 @@ def beard(a: Anatomy) -> Array:
     """Return how densely, 0..1, a beard grows at each skin vertex (N1,)."""
     p, u, mouth = a.skin, a.unit, float(a.mouth[1])
     aside = np.abs(p[:, 0]) / u
-    top = mouth + u * (13.0 + 0.75 * np.maximum(aside - 26.0, 0.0))
+    top = mouth + u * (13.0 + 0.6 * np.maximum(aside - 28.0, 0.0))
     dense = (1.0 - smoothstep(-7.0 * u, 7.0 * u, p[:, 1] - top)) * smoothstep(-78.0 * u, -52.0 * u, p[:, 2])
     dense *= smoothstep(a.chin - 38.0 * u, a.chin + 2.0 * u, p[:, 1])
     # Few hairs grow below the lower lip beside its middle, and in the groove below the nose.
