@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..core.array_cache import cached_arrays
 from ..core.arrays import Array
 from ..core.toml import package_text, parse_rows
 from ..core.units import Share
@@ -119,14 +120,28 @@ def place_regions(head: Head) -> tuple[PlacedRegion, ...]:
     seen = np.ones(len(fine))
     for name in _HIDDEN:
         seen *= 1.0 - np.clip(head.skin.matrix @ head.masks[name], 0.0, 1.0)
-    return tuple(_place(region, marks, fine, middles, seen) for region in regions())
+    table = np.frombuffer(package_text(str(__package__), TABLE).encode(), np.uint8)
+    charts = cached_arrays(
+        "regions",
+        [table, marks.landmarks, marks.unit, fine, middles, seen],
+        lambda: tuple(
+            np.stack(arrays)
+            for arrays in zip(*(_place(r.layout, marks, fine, middles, seen) for r in regions()), strict=True)
+        ),
+    )
+    return tuple(
+        PlacedRegion(region, phase, Zone(mask, pull))
+        for region, phase, mask, pull in zip(regions(), *charts, strict=True)
+    )
 
 
-def _place(region: Region, marks: Marks, fine: Array, middles: Array, seen: Array) -> PlacedRegion:
-    layout: Layout = region.layout
+def _place(
+    layout: Layout, marks: Marks, fine: Array, middles: Array, seen: Array
+) -> tuple[Array, Array, Array]:
+    """Return the phase and the mask (N1,) of a layout, and its pull (Q0, 3)."""
     chart = layout.chart(marks, marks.left_half(fine))
     pull = layout.chart(marks, marks.left_half(middles)).pull
     pull[:, 0] *= np.where(middles[:, 0] < 0.0, -1.0, 1.0)
     mask = chart.mask * seen
     mask[mask < 1e-3] = 0.0
-    return PlacedRegion(region, chart.phase, Zone(mask, pull))
+    return chart.phase, mask, pull

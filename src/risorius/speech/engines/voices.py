@@ -57,7 +57,7 @@ def find_voice(name: str | None, language: str | None = None, engine: SpeechEngi
 
     Raises SpeechError, with the nearest name, for an unknown voice, and for one that speaks another language.
     """
-    known = voices(engine)
+    known = (engine or load_engine()).voices()
     if name is None:
         return _by_language(language, known) if language is not None else _by_name(DEFAULT_VOICE, known)
     base, plus, variant = name.partition("+")
@@ -80,10 +80,11 @@ def _by_name(name: str, known: tuple[Voice, ...]) -> Voice:
     if speaking is not None:
         return speaking
     varies = name.startswith("+")
-    named = [voice.name for voice in known if voice.description.lower() == wanted]
+    in_order = sorted(known, key=_place)
+    named = [voice.name for voice in in_order if voice.description.lower() == wanted]
     if named:
         raise SpeechError(f"unknown voice '{name}'; did you mean '{named[0]}'?")
-    names = [voice.name for voice in known if voice.name.startswith("+") == varies]
+    names = [voice.name for voice in in_order if voice.name.startswith("+") == varies]
     message = unknown("variant" if varies else "voice", name, names)
     raise SpeechError(message if message.endswith("?") else f"{message}; 'risorius list voices' shows all")
 
@@ -103,7 +104,7 @@ def _unknown_language(language: str, known: tuple[Voice, ...]) -> str:
     or whose voice has this name (`german`).
     """
     wanted = _plain(language)
-    for voice in known:
+    for voice in sorted(known, key=_place):
         code = voice.language.split("-")[0]
         begins = len(wanted) == _LONG_CODE and 0 < len(code) < _LONG_CODE and wanted.startswith(code)
         if begins or (code and voice.description.lower() == wanted):
