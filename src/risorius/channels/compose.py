@@ -12,7 +12,7 @@ from dataclasses import replace
 from ..core.channels import CHANNELS
 from ..core.counted import Counted
 from ..core.movement import LipSegment, Movement
-from ..core.score import BlendSettings, Score, check_score
+from ..core.score import BlendSettings, Score, check_course
 from ..errors import ParameterError, unknown
 from ..rules.habits import with_habits
 from ..rules.match import Event, events_of
@@ -38,7 +38,8 @@ def compose(
 ) -> Score:
     """Return the score that all channels but those in `without` build.
 
-    Raises ParameterError for an unknown channel, InputError if two movements of a channel start together.
+    Raises ParameterError for an unknown channel, InputError for a duration out of range and if two movements
+    of a channel start together. All else is checked when the score is planned.
     """
     channels = built_channels()
     for name in without:
@@ -67,7 +68,7 @@ def compose(
         text=inputs.utterance.text if inputs.utterance else "",
         seed=seed,
     )
-    check_score(score)
+    check_course(score)
     return score
 
 

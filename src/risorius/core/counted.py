@@ -9,10 +9,13 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from hashlib import blake2b
+from struct import Struct
 
 Key = str | int
 # Bits of a random word that make a double in [0, 1).
 _BITS = 53
+_LOW_BITS = 2**_BITS - 1
+_words = Struct("<QQ").unpack
 
 
 class Counted:
@@ -65,9 +68,8 @@ class Counted:
         """Return two independent numbers in [0, 1)."""
         state = self._hash.copy()
         state.update(_encoded(key))
-        words = int.from_bytes(state.digest(), "little")
-        first, second = words & (2**_BITS - 1), words >> (128 - _BITS)
-        return first * 2.0**-_BITS, second * 2.0**-_BITS
+        first, second = _words(state.digest())
+        return (first & _LOW_BITS) * 2.0**-_BITS, (second >> (64 - _BITS)) * 2.0**-_BITS
 
 
 def _encoded(key: tuple[Key, ...]) -> bytes:

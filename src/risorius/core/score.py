@@ -74,14 +74,11 @@ def check_score(score: Score, like: Score | None = None) -> None:
 
     Movements that it shares with `like`, which has been checked, are not checked again one by one.
     """
-    if not 0.0 < score.duration <= MAX_SECONDS:
-        expected = f"more than 0 and at most {MAX_SECONDS:g} seconds"
-        raise InputError(f"duration = {score.duration} is out of range; expected {expected}")
+    check_course(score)
     known = set() if like is None else {id(m) for m in like.movements}
     for m in score.movements:
         if id(m) not in known:
             check_movement(m)
-    check_sequence(score.movements)
     # Segments of one phone share their mappings.
     checked: set[int] = set()
     for segment in score.lips:
@@ -95,6 +92,14 @@ def check_score(score: Score, like: Score | None = None) -> None:
             _check_limits(segment)
     for curve in score.manual:
         _check_manual(curve)
+
+
+def check_course(score: Score) -> None:
+    """Raise InputError for a duration out of range, and if movements of one layer start together."""
+    if not 0.0 < score.duration <= MAX_SECONDS:
+        expected = f"more than 0 and at most {MAX_SECONDS:g} seconds"
+        raise InputError(f"duration = {score.duration} is out of range; expected {expected}")
+    check_sequence(score.movements)
 
 
 def _check_limits(segment: LipSegment) -> None:

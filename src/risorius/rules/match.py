@@ -77,17 +77,20 @@ def _matched(
             continue
         ways = (*modulations, *felt_modulations(unit.emotions))
         own = numbers.under(unit.phrase, unit.number)
-        if own.uniform("chance") >= rule.probability * rate_of(rule.id, ways):
+        chance = rule.probability * rate_of(rule.id, ways)
+        if chance < 1.0 and own.uniform("chance") >= chance:
             continue
         alike = numbers.under("group", unit.group) if rule.effect.grouped else own
         size = size_of(rule.id, ways) * _varied(rule.effect.vary, alike)
         mirrored = rule.effect.mirror and alike.uniform("side") >= 0.5 * (1.0 + side)
-        span = _span(rule, unit, own.uniform("place"))
+        span = _span(rule, unit, own)
         yield _event(rule, unit, units, span, size, mirrored=mirrored)
 
 
 def _varied(deviation: float, numbers: Counted) -> float:
-    """Return a random factor on an event's size."""
+    """Return a random factor on an event's size, 1 if it does not vary."""
+    if deviation == 0.0:
+        return 1.0
     return max(_SMALLEST, numbers.normal("size", mean=1.0, deviation=deviation, limit=2.0))
 
 
@@ -176,11 +179,11 @@ def _range(parameter: str) -> tuple[float, float]:
     return PARAMETERS[INDEX[parameter]].low, PARAMETERS[INDEX[parameter]].high
 
 
-def _span(rule: Rule, unit: Unit, place: float) -> MovementPhases:
+def _span(rule: Rule, unit: Unit, numbers: Counted) -> MovementPhases:
     timing = rule.timing
     tempo = synchrony().duration_at(unit.rate)
     onset, offset = timing.onset * tempo, timing.offset * tempo
-    start = _anchored(timing.at, unit, place) - timing.lead
+    start = _anchored(timing.at, unit, numbers) - timing.lead
     if timing.at is RuleAnchor.WHOLE:
         end = max(unit.end, start + 0.1)
         scale = min(1.0, (end - start) / max(onset + offset, 1e-9))
@@ -190,10 +193,10 @@ def _span(rule: Rule, unit: Unit, place: float) -> MovementPhases:
     return MovementPhases(start, start + onset, release, release + offset)
 
 
-def _anchored(at: RuleAnchor, unit: Unit, place: float) -> float:
-    """Return the time of an anchor; `place` 0..1 is the one drawn within the unit."""
+def _anchored(at: RuleAnchor, unit: Unit, numbers: Counted) -> float:
+    """Return the time of an anchor; one within the unit is drawn from the event's `numbers`."""
     if at is RuleAnchor.ANYWHERE:
-        return unit.start + place * (unit.end - unit.start)
+        return unit.start + numbers.uniform("place") * (unit.end - unit.start)
     if at is RuleAnchor.ACCENT and unit.accented is not None:
         return unit.accented
     return {RuleAnchor.MIDDLE: unit.middle, RuleAnchor.END: unit.end}.get(at, unit.start)
