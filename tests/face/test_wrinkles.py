@@ -11,10 +11,17 @@ from risorius.errors import InputError
 from risorius.face.links import NO_LINKS
 from risorius.face.regions import region_names, regions
 from risorius.face.solve import FaceSolver
-from risorius.face.wrinkles import FLAT, Wrinkles, fold_height
+from risorius.face.wrinkles import FLAT, LOW, Wrinkles, capped, fold_height
 from tests.profiles import examples
 
 from .conftest import values_of
+
+
+def test_a_capped_height_is_the_hyperbolic_tangent_to_single_precision():
+    heights = np.linspace(1e-6, 3.0, 3000)
+    shares = np.concatenate([heights, LOW + np.array([-1e-9, 0.0, 1e-9])])
+    assert [capped(1.5 * x, 1.5) for x in shares] == pytest.approx(1.5 * np.tanh(shares), rel=6e-8, abs=0.0)
+
 
 SMILE = {"AU12": 0.9, "AU6": 0.9}
 # What compresses each region, by action units.

@@ -13,9 +13,10 @@ import numpy as np
 import scipy.sparse as sp
 from scipy.sparse.linalg import splu
 
-from ..core.arrays import Array, IndexArray, UInt32Array
-from ..core.kernels.jit import summing_kernel
+from ..core.arrays import Array, IndexArray, UInt32Array, UIntArray
+from ..core.kernels.jit import summing_device, summing_kernel
 from .points_of_four import gather, spread
+from .products import short
 
 _SYMMETRIC = {"options": {"SymmetricMode": True}, "diag_pivot_thresh": 0.0}
 
@@ -28,7 +29,7 @@ class Factor:
     """
 
     start: UInt32Array
-    row: UInt32Array
+    row: UIntArray
     weight: Array
     inverse: Array
 
@@ -40,7 +41,7 @@ class Factor:
         lower.sort_indices()
         return cls(
             lower.indptr.astype(np.uint32),
-            lower.indices.astype(np.uint32),
+            short(lower.indices),
             lower.data.copy(),
             1.0 / factor.U.diagonal(),
         )
@@ -57,8 +58,14 @@ def sparing_order(matrix: sp.csc_matrix) -> IndexArray:
 
 
 @summing_kernel
-def solve(start: UInt32Array, row: UInt32Array, weight: Array, inverse: Array, points: Array) -> None:
+def solve(start: UInt32Array, row: UIntArray, weight: Array, inverse: Array, points: Array) -> None:
     """Solve L D Lᵀ x = b for each column of `points` (n, 4); the first four arguments as in `Factor`."""
+    substitute(start, row, weight, inverse, points)
+
+
+@summing_device
+def substitute(start: UInt32Array, row: UIntArray, weight: Array, inverse: Array, points: Array) -> None:
+    """Do what `solve` does, within a kernel."""
     count = len(inverse)
     for j in range(count):
         spread(points, j, row, weight, start[j], start[j + 1])

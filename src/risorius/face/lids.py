@@ -11,6 +11,7 @@ one enough to keep touching the iris.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -39,7 +40,7 @@ LID_REACH = 7.0  # mm from the eyeball to the farthest vertex that is pushed out
 def follow(pitch: float, gain: dict[str, float], most: dict[str, float]) -> float:
     """Return a lid's rotation in radians (up positive) for the eye's `pitch` in degrees."""
     way = "up" if pitch > 0.0 else "down"
-    return float(np.radians(most[way] * np.tanh(gain[way] * pitch / most[way])))
+    return math.radians(most[way] * math.tanh(gain[way] * pitch / most[way]))
 
 
 @dataclass(frozen=True, slots=True)

@@ -94,11 +94,12 @@ class Lips:
             left = LEFT * min(max(1.0 - beyond / BEYOND, 0.0), 1.0) - APART * min(beyond, 0.0)
             opening = min((1.0 - seal) * WIDEST_MM + seal * SHUT, max(left, SHUT))
         apart = self._line.places(self._matrix.times(skin, self._points))
-        for last in (*(PASSES - 1) * (False,), True):
+        for passes_left in reversed(range(PASSES)):
             if not self._push_apart(skin, opening):
                 break
-            if not last:
+            if passes_left:
                 self._restore(skin, apart, opening)
+                self._matrix.times(skin, self._points)
 
     def _restore(self, skin: Array, apart: Array, opening: float) -> None:
         """Bring the places of the line that are open back to how far they were `apart` (s, 4), or may be.
@@ -140,8 +141,11 @@ class Lips:
         return beyond
 
     def _push_apart(self, skin: Array, opening: float) -> bool:
-        """Push along y until no gap overlaps or is wider than `opening` mm; return False if none did."""
-        points, contacts = self._matrix.times(skin, self._points), self._contacts
+        """Push along y until no gap overlaps or is wider than `opening` mm; return False if none did.
+
+        The mouth's points are those of `skin`.
+        """
+        points, contacts = self._points, self._contacts
         free = opening >= WIDEST_MM
         count = find_contacts(self._facing, points, NEAR if free else np.inf, contacts)
         ends = self._ends.times(points, self._corners)

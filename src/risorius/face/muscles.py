@@ -10,12 +10,12 @@ from two sides contract less than they are activated (`activations`).
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
-from ..core.arrays import Array, ByteArray, IndexArray, IntArray, UInt32Array, UInt64Array
+from ..core.arrays import Array, ByteArray, IntArray, UInt32Array, UInt64Array
 from ..core.kernels.four import Four, any_above, four, larger, root, row, set_row, where_above
 from ..core.kernels.jit import inlined, lean_device, lean_kernel
 from ..core.parameters import INDEX, PARAMETERS
@@ -108,12 +108,6 @@ class MuscleFields:
             self.pairs,
             self.yields,
         )
-
-    def without(self, vertices: IndexArray) -> MuscleFields:
-        """Return the same, with nothing at some `vertices` (n,)."""
-        acting = self.acting.copy()
-        acting[vertices] = 0
-        return replace(self, acting=acting)
 
     def displace(self, values: Array, out: Array) -> None:
         """Write the displacement (n, 3) in mm for `values` (46,) to `out`."""

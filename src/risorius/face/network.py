@@ -16,7 +16,7 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arrays import Array, BoolArray, IndexArray, UInt32Array
-from ..core.kernels.jit import summing_kernel
+from ..core.kernels.jit import summing_device, summing_kernel
 from .cholesky import Factor, sparing_order
 from .head import Head
 from .muscles import fields_of
@@ -77,5 +77,13 @@ def pull(
     start: UInt32Array, column: UInt32Array, weight: Array, points: Array, factor: float, out: Array
 ) -> None:
     """Add `factor` K times `points` (r, 4) to `out` (r, 4); the first three arguments as in `Network`."""
+    add_pull(start, column, weight, points, factor, out)
+
+
+@summing_device
+def add_pull(
+    start: UInt32Array, column: UInt32Array, weight: Array, points: Array, factor: float, out: Array
+) -> None:
+    """Do what `pull` does, within a kernel."""
     for i in range(len(out)):
         gather(out, i, 1.0, factor, points, column, weight, start[i], start[i + 1])

@@ -24,7 +24,7 @@ _in_kernels = cast(Callable[[Callable[..., Any]], Any], intrinsic)
 def spread(context: Any, points: Any, source: Any, row: Any, weight: Any, first: Any, last: Any) -> Any:
     """Subtract `weight[e]` times row `source` of `points` (n, 4) from its row `row[e]`, first ≤ e < last.
 
-    The rows `row[e]` (uint32) must not be `source`.
+    The rows `row[e]` (without sign) must not be `source`.
     """
     return types.void(points, types.int64, row, weight, types.int64, types.int64), _spread
 

@@ -98,7 +98,8 @@ class FaceSolver:
         self._crowding = Crowding.of(head)
         self._network = Network.of(head)
         self._displaced_skin = DisplacedSkin(self._muscles)
-        self._fixed_skin = DisplacedSkin(self._muscles.without(self._network.free))
+        self._fixed = np.setdiff1d(np.flatnonzero(self._muscles.acting), self._network.free)
+        self._fixed_skin = DisplacedSkin(self._muscles.at(self._fixed))
         self._phases = phases
         self._stiffening = self._second_phase()
         self._lids = both_lids(head)
@@ -148,7 +149,8 @@ class FaceSolver:
         ParameterError as `checked_values`.
         """
         checked = checked_values(values)
-        self._displacement[:] = self._fixed_skin.at(self._links.apply(checked, self._linked))
+        self._displacement[:] = 0.0
+        self._displacement[self._fixed] = self._fixed_skin.at(self._links.apply(checked, self._linked))
         springs.place(share, self._displacement)
         return self._finish(checked, buffers or self.buffers())
 

@@ -11,16 +11,18 @@ import math
 
 import numpy as np
 
-from ..core.arrays import Array, IndexArray
+from ..core.arrays import Array, IndexArray, UInt32Array, UIntArray
 from ..core.kernels.jit import summing_kernel
 from ..core.parameters import NAMES
 from .biphasic import Biphasic
+from .cholesky import substitute
 from .links import NO_LINKS, Links
 from .muscles import AT_ONCE, DisplacedSkin, MuscleFields
-from .network import Network, pull
+from .network import Network, add_pull
 from .stiffness import REST
 
 RATE = 120  # steps in a second
+STEP = 1.0 / RATE  # s
 # Hz, and share of the critical damping, of a point on its spring to the rest alone; the step damps too.
 # After a muscle that contracts in 0.1 s the skin overshoots by 3 to 7 %, and lags 3 to 11 ms behind it.
 FREQUENCY, DAMPING = 8.0, 0.35
@@ -46,9 +48,8 @@ class Springs:
         self._displaced, self._links = DisplacedSkin(fields.at(network.free)), links
         self._linked = np.zeros((AT_ONCE, len(NAMES)))
         self._second = second_phase
-        step = 1.0 / RATE
-        stiffness = step**2 * (second_phase.stiffest if second_phase else 1.0)
-        self._factor = network.factor(stiffness, MASS + step * VISCOSITY)
+        stiffness = STEP**2 * (second_phase.stiffest if second_phase else 1.0)
+        self._factor = network.factor(stiffness, MASS + STEP * VISCOSITY)
         shape = (len(network.free), 4)
         self._place, self._before, self._velocity = np.zeros(shape), np.zeros(shape), np.zeros(shape)
         self._strain = np.zeros(shape)
@@ -86,13 +87,13 @@ class Springs:
     def go_on(self, targets: Array, number: int) -> None:
         """Go on by one step, to the end that has that `number` among the latest `targets`."""
         self._before, self._place = self._place, self._before
-        _load(targets, number, self._before, self._strain, self._velocity, MASS)
-        net = self.network
-        pull(net.start, net.column, net.weight, self._strain, 1.0 / RATE, self._velocity)
+        net, factor = self.network, self._factor
+        _load(targets, number, self._before, net.start, net.column, net.weight, self._strain, self._velocity)
         if self._second is not None:
-            self._second.pull(self._linked[number], self._before, 1.0 / RATE, self._velocity)
-        self._factor.solve(self._velocity)
-        _move(self._before, self._velocity, 1.0 / RATE, self._place)
+            self._second.pull(self._linked[number], self._before, STEP, self._velocity)
+        _move(
+            self._before, factor.start, factor.row, factor.weight, factor.inverse, self._velocity, self._place
+        )
 
     def place(self, share: float, displacement: Array) -> None:
         """Write the places of the points to the skin's `displacement` (N0, 3).
@@ -103,18 +104,39 @@ class Springs:
 
 
 @summing_kernel
-def _load(targets: Array, number: int, place: Array, strain: Array, velocity: Array, mass: float) -> None:
+def _load(
+    targets: Array,
+    number: int,
+    place: Array,
+    start: UInt32Array,
+    column: UInt32Array,
+    weight: Array,
+    strain: Array,
+    velocity: Array,
+) -> None:
+    """Replace `velocity` (r, 4) by m v + h (f − K x); K is `start`, `column` and `weight` of the network."""
     for i in range(len(targets)):
         for c in range(3):
             strain[i, c] = targets[i, c, number] - place[i, c]
-            velocity[i, c] *= mass
+            velocity[i, c] *= MASS
+    add_pull(start, column, weight, strain, STEP, velocity)
 
 
 @summing_kernel
-def _move(before: Array, velocity: Array, step: float, after: Array) -> None:
+def _move(
+    before: Array,
+    start: UInt32Array,
+    row: UIntArray,
+    weight: Array,
+    inverse: Array,
+    velocity: Array,
+    after: Array,
+) -> None:
+    """Solve for the new `velocity` (r, 4) by the tables of a `Factor`; write the places `after` the step."""
+    substitute(start, row, weight, inverse, velocity)
     for i in range(len(after)):
         for c in range(3):
-            after[i, c] = before[i, c] + step * velocity[i, c]
+            after[i, c] = before[i, c] + STEP * velocity[i, c]
 
 
 @summing_kernel

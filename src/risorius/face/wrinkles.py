@@ -27,6 +27,7 @@ from .relief import relief
 # Excess length that stays flat before a fold rises: a square root alone would start infinitely steep and show
 # every tremor.
 FLAT = 0.012
+LOW = 0.1  # share of its cap below which a height is found by a series, wrong by 6e-8 of it at most
 OPENED = 0.25  # stretch beyond 1 that opens a crease that shows at rest
 
 
@@ -198,6 +199,16 @@ def fold_height(width: float, stretch: float, give: float) -> float:
     return float(2.0 * chord / np.pi * excess / np.sqrt(excess + FLAT))
 
 
+@device
+def capped(height: float, cap: float) -> float:
+    """Return `height` ≥ 0 mm, of which so much is lost that it stays below `cap`.
+
+    Most skin is nearly flat: there the series of tanh is as exact as single precision, and faster.
+    """
+    x = height / cap
+    return height * (1.0 - x * x * (1.0 / 3.0 - x * x * (2.0 / 15.0))) if x < LOW else cap * float(np.tanh(x))
+
+
 @kernel
 def _fold(
     stretch: Array,
@@ -214,9 +225,9 @@ def _fold(
         static, cap = law[z, 3], law[z, 4]
         moving = law[z, 2] * fold_height(law[z, 0], stretch[r], law[z, 1])
         resting = static * min(1.0, max(0.0, 1.0 - (stretch[r] - 1.0) / OPENED))
-        heights[v, z] = mask[r] * cap * np.tanh((moving + resting) / cap) if moving + resting > 0.0 else 0.0
+        heights[v, z] = mask[r] * capped(moving + resting, cap) if moving + resting > 0.0 else 0.0
         if moving > 0.0 and relief[r] != 0.0:
-            lift[v] += relief[r] * mask[r] * cap * np.tanh(moving / cap)
+            lift[v] += relief[r] * mask[r] * capped(moving, cap)
 
 
 @kernel
