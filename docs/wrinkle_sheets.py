@@ -1,4 +1,4 @@
-"""Draw docs/pictures/emotions-ages.png: six emotions at three ages.
+"""Draw docs/pictures/emotions-ages.webp: six emotions at three ages.
 
 Run from the repository's root: python docs/wrinkle_sheets.py
 """
@@ -21,7 +21,8 @@ AGES = (25, 45, 70)
 SIDE = 544
 FACE = (160, 109, 384, 439)  # left, top, right, bottom of what is kept of a picture, in pixels
 CAPTION = 18
-TARGET = Path(__file__).parent / "pictures" / "emotions-ages.png"
+QUALITY = 88
+TARGET = Path(__file__).parent / "pictures" / "emotions-ages.webp"
 
 
 def draw() -> Image.Image:
@@ -46,4 +47,4 @@ def draw() -> Image.Image:
 
 if __name__ == "__main__":
     TARGET.parent.mkdir(exist_ok=True)
-    draw().quantize(200).save(TARGET, optimize=True)
+    draw().save(TARGET, quality=QUALITY, method=6)
