@@ -15,7 +15,7 @@ from risorius.face.regions import place_regions, region_names
 from risorius.face.solve import FaceSolver
 from risorius.looks.head_model import head_model
 from risorius.render.creases import DIMPLES, FOLD, FURROW, KIND, SHARE, lay_creases
-from risorius.render.materials.folds import _ridge
+from risorius.render.materials.folds import ridge
 from risorius.render.software_renderer import SoftwareRenderer
 
 SIDE = 720
@@ -108,13 +108,13 @@ def test_the_same_frame_gives_the_same_bytes(renderer, surprised):
 def test_a_frown_is_a_soft_fold_and_no_scratch():
     """Its bottom is round: beside it the slope rises to a side that is lit, not at once."""
     furrow, spacing, fine = np.float32(2.4), np.float32(9.0), np.float32(0.05)
-    slopes = {d: _ridge(np.float32(d), spacing, furrow, fine)[0] for d in (-0.7, 0.1, 0.7)}
+    slopes = {d: ridge(np.float32(d), spacing, furrow, fine)[0] for d in (-0.7, 0.1, 0.7)}
     assert slopes[-0.7] == pytest.approx(-slopes[0.7])
     assert slopes[0.1] < 0.5 * slopes[0.7]
 
 
 def test_a_crease_is_darkest_and_quite_dark_at_its_bottom():
-    dark = [_ridge(np.float32(d), *(np.float32(n) for n in (8.2, 1.1, 0.05)))[1] for d in (0.0, 0.5, 2.0)]
+    dark = [ridge(np.float32(d), *(np.float32(n) for n in (8.2, 1.1, 0.05)))[1] for d in (0.0, 0.5, 2.0)]
     assert dark[0] == pytest.approx(1.0, abs=0.01)
     assert dark[0] > dark[1] > dark[2]
     assert dark[2] < 0.1

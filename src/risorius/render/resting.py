@@ -15,12 +15,11 @@ from .scene import HeadScene
 def light_at_rest(head: Head, rig: LightRig) -> Float32Array:
     """Return what each of the skin's N1 vertices sees at rest: shares (N1, 1 + lamps) from 0 to 1.
 
-    First the share of its surroundings, then that of each lamp of `rig`.
+    First the share of its surroundings, then that of each lamp of `rig`; of the first what hair leaves of it,
+    since the shadow that the face itself casts in its light moves with it.
     """
-    lamps = rig.lighting().lamps
-    # A scene bakes no shadow of its first lamp, so a copy of that lamp stands before all lamps of the rig.
-    scene = HeadScene(head_model(head), np.concatenate([lamps[:1], lamps]))
+    scene = HeadScene(head_model(head), rig.lighting().lamps)
     count = scene.skin_vertices
-    under_hair = scene.reach[:count, :1]
-    reach = scene.reach[:count, 1:] * np.concatenate([under_hair, np.ones((count, len(lamps) - 1))], axis=1)
-    return np.concatenate([scene.attributes[:count, OCCLUSION, None], reach], axis=1)
+    return np.concatenate(
+        [scene.attributes[:count, OCCLUSION, None], scene.reach[:count, : len(rig.lamps)]], axis=1
+    )

@@ -13,7 +13,8 @@ from .visibility import Visibility
 SIZE, DRAFT_SIZE = 384, 192
 REACH = 2  # taps on each side
 _TAPS = 2 * REACH + 2  # six: `find_bounds` and `_tent` are written for so many
-_RAMP = f4(0.5)  # 1/mm: depths are compared over 2 mm, which hides the steps of the map
+RAMP = f4(0.5)
+"""1/mm: depths are compared over 2 mm, which hides the steps of the map."""
 
 
 class ShadowMap:
@@ -34,7 +35,7 @@ class ShadowMap:
         size: int = SIZE,
     ) -> None:
         self.matrix = light_matrix(direction, centre, radius, size)
-        self.bias = 3.2 * radius / size  # mm: the depth that a texel spans on a slanted surface
+        self.bias = bias_of(radius, size)
         self.vertices = vertices
         self._xy: Int32Array = np.zeros((vertices, 2), np.int32)
         self._key: Float32Array = np.zeros(vertices, np.float32)
@@ -51,6 +52,11 @@ class ShadowMap:
         flatten(points, self.matrix, self._xy, self._key)
         self._buffer.draw(self._xy, self._key, triangles, two_sided)
         find_bounds(self.depth, self._rows, self.low, self.high)
+
+
+def bias_of(radius: float, size: int) -> float:
+    """Return the depth in mm that a texel spans on a slanted surface."""
+    return 3.2 * radius / size
 
 
 def light_matrix(direction: FloatArray, centre: FloatArray, radius: float, size: int) -> Float32Array:
@@ -135,7 +141,7 @@ def lit(
     near = d + bias
     if high[index(j - REACH), index(i - REACH)] <= near:
         return f4(1)
-    if (low[index(j - REACH), index(i - REACH)] - near) * _RAMP >= f4(1):
+    if (low[index(j - REACH), index(i - REACH)] - near) * RAMP >= f4(1):
         return f4(0)
     return _tent(depth, i, j, x - f4(i), y - f4(j), near)
 
@@ -149,7 +155,7 @@ def _tent(depth: Float32Array, i: int, j: int, s: float, t: float, near: float) 
     total, reach = f4(0), f4(REACH + 1)
     for tap in range(8 * _TAPS):
         row, column = (tap >> 3) - REACH, (tap & 7) - REACH
-        blocked = min(max((depth[index(j + row), index(i + column)] - near) * _RAMP, f4(0)), f4(1))
+        blocked = min(max((depth[index(j + row), index(i + column)] - near) * RAMP, f4(0)), f4(1))
         weight = max(reach - abs(f4(column) - s), f4(0)) * (reach - abs(f4(row) - t))
         total += (f4(1) - blocked) * weight
     whole = reach * reach

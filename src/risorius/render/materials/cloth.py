@@ -22,8 +22,9 @@ SEAM = f4(5)
 _CELLS, _LOW = f4(3.2), f4(0.6)  # cells of the grain per mm; stitches are higher than wide
 STITCHES = (_CELLS, _LOW * _CELLS, _CELLS)
 """Cells of the grain per mm along x, y and z."""
-_THREAD = f4(0.09)  # by which share they change the albedo
-_UP = (f4(0), f4(1), f4(0))
+THREAD = f4(0.09)
+"""By which share they change the albedo."""
+UP = (f4(0), f4(1), f4(0))
 
 
 @fast_device
@@ -80,7 +81,7 @@ def light_cloth_vertices(
         view, normal = towards(screen.eye, at(mesh.positions, v)), unit(at(mesh.normals, v))
         free = mesh.attributes[v, OCCLUSION]
         woven = _lit(mesh, light, (v, v, v), whole, albedo, normal, view, mesh.shadow[v], free)
-        linear.pores[v, 0] = _THREAD * woven[1] * expose(v, woven, tables.film, linear)
+        linear.pores[v, 0] = THREAD * woven[1] * expose(v, woven, tables.film, linear)
         linear.pores[v, 1] = linear.pores[v, 2] = linear.pores[v, 3] = f4(0)
 
 
@@ -128,28 +129,52 @@ def _lit(
     """Return the light from cloth of this albedo and normal."""
     total = times(albedo, ambient_light(light.ambient, normal, free))
     for k in range(len(light.lamps)):
-        lit = saturate((dot(normal, lamp_direction(light.lamps, k)) + f4(0.15)) * f4(1 / 1.15))
+        lit = cloth_share(dot(normal, lamp_direction(light.lamps, k)))
         total = along(
             total,
             times(albedo, lamp_colour(light.lamps, k)),
             lit * lamp_share(mesh.reach, corners, weights, k) * (shadow if k == 0 else f4(1)),
         )
-    fuzz = f4(1) - saturate(dot(normal, view))
-    sheen = f4(0.06) * fuzz * fuzz * fuzz
-    return along(total, ambient_light(light.ambient, normal, free), sheen)
+    return along(total, ambient_light(light.ambient, normal, free), sheen(dot(normal, view)))
+
+
+@fast_device
+def cloth_share(facing: float) -> float:
+    """Return the share of a lamp's light that rough cloth scatters; `facing` is the cosine to the lamp."""
+    return saturate((facing + f4(0.15)) * f4(1 / 1.15))
+
+
+@fast_device
+def sheen(facing: float) -> float:
+    """Return the share of the ambient light that fuzz scatters along an outline."""
+    fuzz = f4(1) - saturate(facing)
+    return f4(0.06) * fuzz * fuzz * fuzz
 
 
 @fast_device
 def _knit(tile: Float32Array, rest: Vec, albedo: Vec, normal: Vec, depth: float) -> tuple[Vec, Vec]:
     """Return albedo and normal with stitches, and over the collar's width with ribs and a rolled edge."""
     thread = grain(tile, (rest[0], rest[1] * _LOW, rest[2]), _CELLS)[0]
-    light = f4(1) + _THREAD * thread
+    if depth < COLLAR:
+        normal = rolled(normal, depth)
+    return scale(albedo, knitted(thread, rest, depth)), normal
+
+
+@fast_device
+def knitted(thread: float, rest: Vec, depth: float) -> float:
+    """Return the share of its albedo that cloth has `depth` mm within the neckline at a height of thread."""
+    light = f4(1) + THREAD * thread
     if depth < COLLAR:
         rib = math.sin(math.atan2(rest[0], rest[2] + f4(95)) * _RIBS)
         light *= f4(0.93) + f4(0.12) * rib
-        rolled = f4(1) - saturate(depth * f4(1 / 4.0))
-        normal = unit(along(normal, _UP, rolled * rolled))
     seam = depth - COLLAR
     if abs(seam) < SEAM:
         light *= f4(1) - f4(0.35) * math.exp(-seam * seam * f4(0.6))
-    return scale(albedo, light), normal
+    return light
+
+
+@fast_device
+def rolled(normal: Vec, depth: float) -> Vec:
+    """Return the normal of the collar, whose edge is rolled."""
+    edge = f4(1) - saturate(depth * f4(1 / 4.0))
+    return unit(along(normal, UP, edge * edge))

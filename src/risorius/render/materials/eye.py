@@ -34,12 +34,23 @@ from .patch import corners_of, put, towards, weights_of
 LID_STEPS = 32
 _FRONT = 2  # lamps; the others stand behind the head
 _LIMBUS = f4(0.045)  # half the width of its soft edge
-_CORNEA = f4(0.46)  # centre of the cornea's sphere on the axis, in radii of the eye
+CORNEA = f4(0.46)
+"""Centre of the cornea's sphere on the axis, in radii of the eye."""
 _DEPTH = f4(0.075)  # of the iris behind the limbus, in radii of the eye
 _REFRACTION = f4(1 / 1.336)
 _WHITE = (f4(0.62), f4(0.57), f4(0.53))
 _PINK = (f4(0.56), f4(0.25), f4(0.21))
 _FLESH = (f4(0.50), f4(0.185), f4(0.155))  # the caruncle, in the inner corner
+VEINS = (f4(0.45 * 2.6), f4(2.6), f4(2.6))
+"""Cells of the grain per mm along x, y and z of the eye: veins run across."""
+WHITE_AROUND, IRIS_AROUND = f4(0.95), f4(1.1)
+"""Share of the ambient light that white and iris scatter."""
+WET = f4(0.03)
+"""Share that the tear film mirrors at a right angle."""
+KEY_WINDOW, FILL_WINDOW = f4(0.23), f4(0.26)
+"""Half the width (tangent) of the softboxes that are mirrored, of the first lamp and of the second."""
+KEY_BRIGHT, FILL_BRIGHT = f4(1.9), f4(0.25)
+"""How bright these are, of the lamps' light."""
 
 
 @fast_device
@@ -67,23 +78,29 @@ def _eye(light: SceneLight, pose: Pose, tables: Tables, side: int, p: Vec, view:
     below, above = lid_distances(pose.lids, pose.lid_span, side, in_head, radius)
     inner, outer = _corner_distances(pose.lid_span, side, in_head, radius)
     shade = lid_shade(below, above, inner, outer)
-    ring = math.sqrt(local[0] * local[0] + local[1] * local[1])
-    iris_share = f4(0)
-    if local[2] > f4(0):
-        iris_share = f4(1) - smooth(IRIS - _LIMBUS, IRIS + _LIMBUS, ring)
+    iris = iris_share(local)
     shadow = key_share(light, p) * shade
     total = (f4(0), f4(0), f4(0))
-    if iris_share < f4(1):
+    if iris < f4(1):
         total = _sclera(light, tables, local, outward, radius, above, inner, outer, shade, shadow)
     facing = outward
-    if iris_share > f4(0):
-        bulge = unit((local[0], local[1], local[2] - _CORNEA))
+    if iris > f4(0):
+        bulge = unit((local[0], local[1], local[2] - CORNEA))
         facing = rotate(pose.eye_axes[side], bulge)
-        facing = unit(mix(outward, facing, iris_share))
-        total = mix(total, _iris(light, pose, tables, side, local, facing, view, shade, shadow), iris_share)
+        facing = unit(mix(outward, facing, iris))
+        total = mix(total, _iris(light, pose, tables, side, local, facing, view, shade, shadow), iris)
     return add(
         total, _wet(light.lamps, light.ambient, facing, outward, view, shade, shadow, below, above, inner)
     )
+
+
+@fast_device
+def iris_share(local: Vec) -> float:
+    """Return the share 0..1 of iris at a place of the eye's unit sphere in the eye's frame."""
+    if local[2] <= f4(0):
+        return f4(0)
+    ring = math.sqrt(local[0] * local[0] + local[1] * local[1])
+    return f4(1) - smooth(IRIS - _LIMBUS, IRIS + _LIMBUS, ring)
 
 
 @fast_device
@@ -134,21 +151,32 @@ def _sclera(
     shadow: float,
 ) -> Vec:
     """Return the light scattered by the white of the eye: redder and veined to the corners; the caruncle."""
-    x, y, z = scale(local, radius)
-    vein = abs(grain(tables.grain, (x * f4(0.45), y, z), f4(2.6))[0])
-    near = math.exp(-inner * f4(0.14)) + f4(0.8) * math.exp(-outer * f4(0.16))
-    vein = (f4(1) - smooth(f4(0), f4(0.16), vein)) * near
-    red = f4(0.46) * math.exp(-inner * f4(0.30)) + f4(0.34) * math.exp(-outer * f4(0.3))
-    red += f4(0.30) * math.exp(-above * f4(1.1)) + f4(0.42) * vein
-    albedo = mix(_WHITE, _PINK, saturate(red))
-    albedo = mix(albedo, _FLESH, f4(1) - smooth(f4(0.7), f4(2.5), inner))
-    total = times(albedo, scale(ambient_light(light.ambient, normal, shade), f4(0.95)))
+    vein = grain(tables.grain, times(scale(local, radius), VEINS), f4(1))[0]
+    albedo = white_of_eye(vein, above, inner, outer)
+    total = times(albedo, scale(ambient_light(light.ambient, normal, shade), WHITE_AROUND))
     for k in range(min(len(light.lamps), _FRONT)):
-        wrapped = saturate((dot(normal, lamp_direction(light.lamps, k)) + f4(0.4)) * f4(1 / 1.4))
+        wrapped = white_share(dot(normal, lamp_direction(light.lamps, k)))
         total = along(
             total, times(albedo, lamp_colour(light.lamps, k)), wrapped * (shadow if k == 0 else shade)
         )
     return total
+
+
+@fast_device
+def white_of_eye(height: float, above: float, inner: float, outer: float) -> Vec:
+    """Return the albedo of the white where the grain has this `height`; distances in mm as above."""
+    near = math.exp(-inner * f4(0.14)) + f4(0.8) * math.exp(-outer * f4(0.16))
+    vein = (f4(1) - smooth(f4(0), f4(0.16), abs(height))) * near
+    red = f4(0.46) * math.exp(-inner * f4(0.30)) + f4(0.34) * math.exp(-outer * f4(0.3))
+    red += f4(0.30) * math.exp(-above * f4(1.1)) + f4(0.42) * vein
+    albedo = mix(_WHITE, _PINK, saturate(red))
+    return mix(albedo, _FLESH, f4(1) - smooth(f4(0.7), f4(2.5), inner))
+
+
+@fast_device
+def white_share(facing: float) -> float:
+    """Return the share of a lamp's light that the white scatters; `facing` is the cosine to the lamp."""
+    return saturate((facing + f4(0.4)) * f4(1 / 1.4))
 
 
 @fast_inlined
@@ -164,23 +192,39 @@ def _iris(
     shadow: float,
 ) -> Vec:
     """Return the light from the iris, seen and lit through the cornea, which gathers it opposite the lamp."""
-    cosine = dot(facing, view)
-    bent = math.sqrt(f4(1) - _REFRACTION * _REFRACTION * (f4(1) - cosine * cosine))
-    inward = along(scale(view, -_REFRACTION), facing, _REFRACTION * cosine - bent)
-    ray = unrotate(pose.eye_axes[side], inward)
-    plane = math.sqrt(f4(1) - IRIS * IRIS) - _DEPTH
-    way = (plane - local[2]) / min(ray[2], f4(-0.1))
-    x, y = (local[0] + ray[0] * way) / IRIS, (local[1] + ray[1] * way) / IRIS
-    distance = math.sqrt(x * x + y * y)
-    albedo = _iris_colour(tables.iris, light.pupil, x, y, distance)
+    x, y = on_iris(local, unrotate(pose.eye_axes[side], refracted(facing, view)))
+    albedo = _iris_colour(tables.iris, light.pupil, x, y, math.sqrt(x * x + y * y))
     axis = (pose.eye_axes[side, 0, 2], pose.eye_axes[side, 1, 2], pose.eye_axes[side, 2, 2])
-    total = times(albedo, scale(ambient_light(light.ambient, axis, shade), f4(1.1)))
+    total = times(albedo, scale(ambient_light(light.ambient, axis, shade), IRIS_AROUND))
     for k in range(min(len(light.lamps), _FRONT)):
         lamp = unrotate(pose.eye_axes[side], lamp_direction(light.lamps, k))
-        gathered = saturate(f4(0.62) - f4(0.75) * (x * lamp[0] + y * lamp[1]) * saturate(distance * f4(1.4)))
-        arriving = (shadow if k == 0 else shade) * saturate(lamp[2] + f4(0.2))
-        total = along(total, times(albedo, lamp_colour(light.lamps, k)), gathered * arriving * f4(1.35))
+        arriving = shadow if k == 0 else shade
+        total = along(total, times(albedo, lamp_colour(light.lamps, k)), gathered(x, y, lamp) * arriving)
     return total
+
+
+@fast_device
+def refracted(facing: Vec, view: Vec) -> Vec:
+    """Return the way of sight within the eye; `facing` is the cornea's normal, `view` leads to the viewer."""
+    cosine = dot(facing, view)
+    bent = math.sqrt(f4(1) - _REFRACTION * _REFRACTION * (f4(1) - cosine * cosine))
+    return along(scale(view, -_REFRACTION), facing, _REFRACTION * cosine - bent)
+
+
+@fast_device
+def on_iris(local: Vec, ray: Vec) -> tuple[float, float]:
+    """Return where a ray from the eye's unit sphere meets the iris' plane, in radii of the iris."""
+    plane = math.sqrt(f4(1) - IRIS * IRIS) - _DEPTH
+    way = (plane - local[2]) / min(ray[2], f4(-0.1))
+    return (local[0] + ray[0] * way) / IRIS, (local[1] + ray[1] * way) / IRIS
+
+
+@fast_device
+def gathered(x: float, y: float, lamp: Vec) -> float:
+    """Return the share of a lamp's light at a place of the iris; `lamp` leads to it in the eye's frame."""
+    distance = math.sqrt(x * x + y * y)
+    share = saturate(f4(0.62) - f4(0.75) * (x * lamp[0] + y * lamp[1]) * saturate(distance * f4(1.4)))
+    return share * saturate(lamp[2] + f4(0.2)) * f4(1.35)
 
 
 @fast_device
@@ -194,7 +238,13 @@ def _iris_colour(image: Float32Array, pupil: float, x: float, y: float, distance
     a, b = j % angles, (j + 1) % angles
     low = mix(_texel(image, i, a), _texel(image, i, b), t)
     high = mix(_texel(image, i + 1, a), _texel(image, i + 1, b), t)
-    return scale(mix(low, high, s), smooth(pupil - f4(0.03), pupil + f4(0.045), distance))
+    return scale(mix(low, high, s), pupil_edge(pupil, distance))
+
+
+@fast_device
+def pupil_edge(pupil: float, distance: float) -> float:
+    """Return 0 within the pupil, 1 on the iris; both numbers are in radii of the iris."""
+    return smooth(pupil - f4(0.03), pupil + f4(0.045), distance)
 
 
 @fast_device
@@ -216,26 +266,42 @@ def _wet(
     inner: float,
 ) -> Vec:
     """Return what the tear film mirrors: lamps, ambient light, the lower lid's rim and the caruncle."""
-    # A mirror shows the lid above it rather than its shadow.
-    free = smooth(f4(0.3), f4(1.6), below) * (f4(0.5) + f4(0.5) * shade)
-    total = scale(ambient_light(ambient, facing, f4(1)), schlick(dot(facing, view), f4(0.03)) * free)
+    free = mirror_share(below, shade)
+    total = scale(ambient_light(ambient, facing, f4(1)), schlick(dot(facing, view), WET) * free)
     back = along(scale(view, f4(-1)), facing, f4(2) * dot(facing, view))
     for k in range(min(len(lamps), _FRONT)):
         direction, colour = lamp_direction(lamps, k), lamp_colour(lamps, k)
-        size = f4(0.23) if k == 0 else f4(0.26)
-        bright = f4(1.9) if k == 0 else f4(0.25)
-        total = along(total, colour, _window(back, direction, size) * free * bright)
-    line = unit(add(outward, (f4(0), f4(0.8), f4(0))))
-    tears = smooth(f4(0), f4(0.22), above) * (f4(1) - smooth(f4(0.35), f4(0.8), above))
-    flesh = f4(1) - smooth(f4(1.2), f4(3.2), inner)
+        size = KEY_WINDOW if k == 0 else FILL_WINDOW
+        bright = KEY_BRIGHT if k == 0 else FILL_BRIGHT
+        total = along(total, colour, window(back, direction, size) * free * bright)
     key = lamp_direction(lamps, 0)
-    glint = f4(0.045) + gloss(line, view, key, f4(0.16), f4(0.05))
-    moist = gloss(unit(add(outward, (f4(0), f4(0.2), f4(0)))), view, key, f4(0.10), f4(0.05))
-    return along(total, lamp_colour(lamps, 0), tears * glint * shadow * f4(1.3) + flesh * moist * shade)
+    rim, moist = tear_glint(outward, view, key, above), caruncle_glint(outward, view, key, inner)
+    return along(total, lamp_colour(lamps, 0), rim * shadow + moist * shade)
 
 
 @fast_device
-def _window(back: Vec, direction: Vec, size: float) -> float:
+def mirror_share(below: float, shade: float) -> float:
+    """Return the share that is mirrored: a mirror shows the lid above it rather than its shadow."""
+    return smooth(f4(0.3), f4(1.6), below) * (f4(0.5) + f4(0.5) * shade)
+
+
+@fast_device
+def tear_glint(outward: Vec, view: Vec, key: Vec, above: float) -> float:
+    """Return the share of the key lamp that the tears on the lower lid's rim mirror."""
+    line = unit(add(outward, (f4(0), f4(0.8), f4(0))))
+    tears = smooth(f4(0), f4(0.22), above) * (f4(1) - smooth(f4(0.35), f4(0.8), above))
+    return tears * (f4(0.045) + gloss(line, view, key, f4(0.16), f4(0.05))) * f4(1.3)
+
+
+@fast_device
+def caruncle_glint(outward: Vec, view: Vec, key: Vec, inner: float) -> float:
+    """Return the share of the key lamp that the moist flesh in the inner corner mirrors."""
+    flesh = f4(1) - smooth(f4(1.2), f4(3.2), inner)
+    return flesh * gloss(unit(add(outward, (f4(0), f4(0.2), f4(0)))), view, key, f4(0.10), f4(0.05))
+
+
+@fast_device
+def window(back: Vec, direction: Vec, size: float) -> float:
     """Return 1 where the mirrored ray meets a softbox of half-width `size` (tangent), with round corners."""
     ahead = dot(back, direction)
     if ahead <= f4(0.1):

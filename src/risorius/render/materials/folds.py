@@ -11,7 +11,8 @@ from ..grain import grain
 from ..inputs import Pose, PosedMesh, Tables
 from .patch import Corners
 
-_CELLS = f4(6.5)  # cells of the grain to one of its waves
+PIT_CELLS = f4(6.5)
+"""Cells of the grain to one of its waves."""
 _STEEPEST = f4(1.1)
 _ROUND = f4(0.32)  # of the furrow's width: half of its round bottom
 
@@ -31,8 +32,7 @@ def creased(
 ) -> tuple[Vec, float]:
     """Return the slope of the folds at a point, in the world, and how deep it lies in creases, 0..1."""
     total, dark = (f4(0), f4(0), f4(0)), f4(0)
-    # A pixel covers more skin where the skin turns away from the camera.
-    blur = pixel / max(facing, f4(0.25))
+    blur = covered_skin(pixel, facing)
     bits, r = mesh.crease_raised[t], i8(0)
     while bits:
         if bits & 1:
@@ -45,6 +45,18 @@ def creased(
         r += 1
     total = rotate(pose.rotation, total)
     return along(total, normal, -dot(total, normal)), saturate(dark)
+
+
+@fast_device
+def covered_skin(pixel: float, facing: float) -> float:
+    """Return the mm of skin that a pixel covers: more where the skin turns away from the camera."""
+    return pixel / max(facing, f4(0.25))
+
+
+@fast_device
+def darkened(shadow: float, height: float) -> float:
+    """Return how much of a crease's `shadow` one of this height has."""
+    return shadow * saturate(height * f4(1.6))
 
 
 @fast_device
@@ -92,15 +104,15 @@ def _fold(
     steep = math.sqrt(dot(way, way)) + f4(1e-6)
     # Distance in mm from the nearest crease, on skin that has none of its own beyond a fold.
     if style[r, KIND] == FOLD:
-        rise, deep = _overhang(phase / steep, furrow, blur)
+        rise, deep = overhang(phase / steep, furrow, blur)
     else:
-        rise, deep = _ridge((phase - math.floor(phase + f4(0.5))) / steep, f4(1) / steep, furrow, blur)
+        rise, deep = ridge((phase - math.floor(phase + f4(0.5))) / steep, f4(1) / steep, furrow, blur)
     scale = height * rise / steep
-    return (way[0] * scale, way[1] * scale, way[2] * scale), deep * shadow * saturate(height * f4(1.6))
+    return (way[0] * scale, way[1] * scale, way[2] * scale), deep * darkened(shadow, height)
 
 
 @fast_device
-def _ridge(d: float, spacing: float, furrow: float, blur: float) -> tuple[float, float]:
+def ridge(d: float, spacing: float, furrow: float, blur: float) -> tuple[float, float]:
     """Return the slope (1/mm) `d` mm from a crease of unit height with round shoulders, and its darkness.
 
     The darkness is 1 at the bottom.
@@ -121,14 +133,15 @@ def _ridge(d: float, spacing: float, furrow: float, blur: float) -> tuple[float,
 
 
 @fast_device
-def _overhang(d: float, furrow: float, blur: float) -> tuple[float, float]:
+def overhang(d: float, furrow: float, blur: float) -> tuple[float, float]:
     """Return the slope (1/mm) of a fold of unit height whose cheek rises from d = 0 on, and its darkness."""
     soft = f4(0.5) * blur + f4(0.25) * furrow
     # A smooth step replaces the break of the tangent at the crease.
     beyond = f4(0.5) + f4(0.5) * d / math.sqrt(d * d + soft * soft)
     far = max(d, f4(0)) / (f4(1.5) * furrow)
     swell = (f4(1) - far) * math.exp(-far) / (f4(1.5) * furrow)
-    lip = math.exp(-((d / (f4(1.6) * furrow)) ** 2))
+    near = d / (f4(1.6) * furrow)
+    lip = math.exp(-near * near)
     rise = beyond * swell * f4(1.9) - (f4(1) - beyond) * f4(0.22) * lip / furrow
     deep = math.exp(-abs(d + f4(0.1) * furrow) / (f4(0.55) * furrow + f4(0.4) * blur))
     return rise, deep
@@ -139,9 +152,15 @@ def _dimple(
     tables: Tables, rest: Vec, height: float, spacing: float, shadow: float, blur: float
 ) -> tuple[Vec, float]:
     """Return the slope at rest of pits, and how dark they are."""
-    h, gx, gy, gz = grain(tables.grain, rest, _CELLS / spacing)
+    h, gx, gy, gz = grain(tables.grain, rest, PIT_CELLS / spacing)
+    steep, deep = pit(h, spacing, blur)
+    scale = height * steep
+    return (gx * scale, gy * scale, gz * scale), deep * darkened(shadow, height)
+
+
+@fast_device
+def pit(h: float, spacing: float, blur: float) -> tuple[float, float]:
+    """Return the share of the grain's slope that pits have where its height is h, and their darkness."""
     seen = f4(1) - saturate((blur / spacing - f4(0.25)) * f4(3))
     # Pits, not hills: heights below the mean count in full, those above hardly.
-    pit = saturate(f4(0.6) - h) * f4(0.75)
-    scale = height * pit * seen
-    return (gx * scale, gy * scale, gz * scale), shadow * saturate(-h) * saturate(height * f4(1.6)) * seen
+    return saturate(f4(0.6) - h) * f4(0.75) * seen, saturate(-h) * seen

@@ -47,7 +47,10 @@ from .patch import put as put_colour
 from .shadows import shadow_at
 from .skin_lamps import PORES_SOFT, edge_light, lamp_light
 
-_FLESH = f4(0.85)  # share of a fold's slope that affects light scattered below the surface
+FLESH = f4(0.85)
+"""Share of a fold's slope that affects light scattered below the surface."""
+FOLD_SHADES, FOLD_DULLS = f4(0.7), f4(0.6)
+"""By what share the bottom of a fold lessens the ambient light and the strength of the gloss."""
 INNER_MOUTH = f4(0.02)
 """Share of mouth interior up to which skin is lit as skin outside."""
 PORES = f4(6.5 / 0.62)
@@ -166,12 +169,17 @@ def _fold(count: int, batch: Batch, mesh: PosedMesh, pose: Pose, tables: Tables,
         facing = dot(normal, get(block, VIEW, k))
         slope, deep = creased(tables, mesh, pose, t, corners, weights, rest, normal, facing, pixel)
         if deep > f4(0) or dot(slope, slope) > f4(0):
-            put(block, SOFT, k, bent(get(block, SOFT, k), slope, _FLESH))
+            put(block, SOFT, k, bent(get(block, SOFT, k), slope, FLESH))
             put(block, BUMPY, k, bent(get(block, BUMPY, k), slope, f4(1)))
-            block[FREE + k] *= f4(1) - f4(0.7) * deep
-            block[STRENGTH + k] *= f4(1) - f4(0.6) * deep
-            dark = f4(1) - f4(0.22) * deep, f4(1) - f4(0.36) * deep, f4(1) - f4(0.38) * deep
-            put(block, ALBEDO, k, times(get(block, ALBEDO, k), dark))
+            block[FREE + k] *= f4(1) - FOLD_SHADES * deep
+            block[STRENGTH + k] *= f4(1) - FOLD_DULLS * deep
+            put(block, ALBEDO, k, times(get(block, ALBEDO, k), fold_colour(deep)))
+
+
+@fast_device
+def fold_colour(deep: float) -> Vec:
+    """Return what a fold leaves of the albedo: it is darker and redder."""
+    return f4(1) - f4(0.22) * deep, f4(1) - f4(0.36) * deep, f4(1) - f4(0.38) * deep
 
 
 @fast_device

@@ -33,12 +33,14 @@ from ..subsurface import angle_place, curvature_place, scattered, steepness
 from .lit import ambient_of, ambient_on, lamp_colour, lamp_direction, warm_edge
 
 _DARK = f4(0.004)  # lamps of which less arrives are skipped
-_FACING = f4(0.028)  # reflected share at a right angle: index of refraction 1.4
-_SHARP = f4(0.7)  # share of the key lamp's gloss that is sharp
-_BROAD = f4(2.2)  # how many times as wide the rest is
+FACING = f4(0.028)
+"""Share that is reflected at a right angle: index of refraction 1.4."""
+SHARP, BROAD = f4(0.7), f4(2.2)
+"""Share of the key lamp's gloss that is sharp, and how many times as wide the rest is."""
 PORES_SOFT = f4(0.5)
 """Share of the pores' slope that affects light scattered below the surface."""
-_FRONT = 2  # lamps; the others stand behind the head
+FRONT, GRAZED = 2, f4(0.4)
+"""Lamps in front; what skin mirrors of the others, behind the head, which would outshine all."""
 
 
 @fast_device
@@ -56,8 +58,7 @@ def lamp_light(
     if lamp == 0:
         _add_key_gloss(block, direction, colour, softness)
     else:
-        # A lamp behind the head grazes it, where a mirror would outshine all.
-        _add_gloss(block, direction, colour, softness, f4(0.4) if lamp >= _FRONT else f4(1))
+        _add_gloss(block, direction, colour, softness, GRAZED if lamp >= FRONT else f4(1))
 
 
 @fast_device
@@ -67,7 +68,7 @@ def _arrive(count: int, lamp: int, block: Float32Array) -> bool:
         share = block[REACH + lamp * LANES + k]
         if lamp == 0:
             share *= block[SHADOW + k]
-        elif lamp >= _FRONT:
+        elif lamp >= FRONT:
             share *= share  # light leaks between vertices that see the lamp and vertices that do not
         block[SHARE + k] = share if share >= _DARK else f4(0)
     most = f4(0)
@@ -107,7 +108,7 @@ def _add_key_gloss(block: Float32Array, direction: Vec, colour: Vec, softness: f
     for k in range(LANES):
         wide = block[ROUGHNESS + k] + softness
         sharp = _mirrored(block, k, direction, wide)
-        glint = _SHARP * sharp + (f4(1) - _SHARP) * _mirrored(block, k, direction, wide * _BROAD)
+        glint = SHARP * sharp + (f4(1) - SHARP) * _mirrored(block, k, direction, wide * BROAD)
         amount = glint * block[SHARE + k] * block[STRENGTH + k]
         put(block, SHINE, k, along(get(block, SHINE, k), colour, amount))
 
@@ -115,7 +116,7 @@ def _add_key_gloss(block: Float32Array, direction: Vec, colour: Vec, softness: f
 @fast_device
 def _mirrored(block: Float32Array, k: int, direction: Vec, wide: float) -> float:
     bumpy, half = get(block, BUMPY, k), add(get(block, VIEW, k), direction)
-    return mirrored(dot(bumpy, direction), dot(bumpy, half), dot(half, half), wide, _FACING)
+    return mirrored(dot(bumpy, direction), dot(bumpy, half), dot(half, half), wide, FACING)
 
 
 @fast_device
@@ -128,19 +129,19 @@ def lamp_change(
     direction, colour, softness = lamp_direction(lamps, lamp), lamp_colour(lamps, lamp), lamps[lamp, 6]
     for k in range(count):
         block[GRAIN + k] = steepness(diffuse, block[ANGLE + k], curvature_place(block[CURVATURE + k]))
-    part = f4(0.4) if lamp >= _FRONT else f4(1)
+    part = GRAZED if lamp >= FRONT else f4(1)
     for k in range(LANES):
         share = block[SHARE + k]
         below = PORES_SOFT * block[ALBEDO + LANES + k] * block[GRAIN + k] * warm_edge(share)[1] * colour[1]
         normal, half = get(block, NORMAL, k), add(get(block, VIEW, k), direction)
         facing_light, facing_half, apart = dot(normal, direction), dot(normal, half), dot(half, half)
         wide = block[ROUGHNESS + k] + softness
-        sharp = mirrored_change(facing_light, facing_half, apart, wide, _FACING)
+        sharp = mirrored_change(facing_light, facing_half, apart, wide, FACING)
         if lamp == 0:
-            broad = mirrored_change(facing_light, facing_half, apart, wide * _BROAD, _FACING)
+            broad = mirrored_change(facing_light, facing_half, apart, wide * BROAD, FACING)
             sharp = (
-                _SHARP * sharp[0] + (f4(1) - _SHARP) * broad[0],
-                _SHARP * sharp[1] + (f4(1) - _SHARP) * broad[1],
+                SHARP * sharp[0] + (f4(1) - SHARP) * broad[0],
+                SHARP * sharp[1] + (f4(1) - SHARP) * broad[1],
             )
         amount = part * share * block[STRENGTH + k] * colour[1]
         change = along(get(block, WAY, k), direction, below + amount * sharp[0])
@@ -153,9 +154,18 @@ def edge_light(block: Float32Array, ambient: Float32Array) -> None:
     around = ambient_of(ambient)
     for k in range(LANES):
         soft = get(block, SOFT, k)
-        # A rough surface reflects less along its outline than a smooth one.
-        edge = min(schlick(dot(soft, get(block, VIEW, k)), _FACING), f4(0.16))
-        # Below it are neck and body, of which nothing is mirrored.
-        above = f4(1) + min(soft[1], f4(0))
-        edge *= block[OPENED + k] * block[STRENGTH + k] * above * above
-        put(block, SHINE, k, along(get(block, SHINE, k), ambient_on(around, soft, f4(1)), edge * f4(0.8)))
+        edge = edge_share(dot(soft, get(block, VIEW, k)), soft[1]) * block[OPENED + k] * block[STRENGTH + k]
+        put(block, SHINE, k, along(get(block, SHINE, k), ambient_on(around, soft, f4(1)), edge))
+
+
+@fast_device
+def edge_share(facing: float, up: float) -> float:
+    """Return the share of the ambient light that skin reflects whose normal has these parts.
+
+    `facing` is that towards the viewer, `up` the upper one.
+    """
+    # A rough surface reflects less along its outline than a smooth one.
+    edge = min(schlick(facing, FACING), f4(0.16))
+    # Below it are neck and body, of which nothing is mirrored.
+    above = f4(1) + min(up, f4(0))
+    return edge * above * above * f4(0.8)
