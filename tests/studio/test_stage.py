@@ -10,10 +10,12 @@ import pytest
 
 from risorius.core.action_units import resolve_targets
 from risorius.core.parameters import INDEX, NEUTRAL
+from risorius.face.head import load_head, shipped_heads
 from risorius.face.solve import FaceSolver
 from risorius.looks.anatomy import find_anatomy
 from risorius.looks.garment import neckline
 from risorius.ports.face_packer import FRAMES, PARTS, POSE, STEP
+from risorius.ports.head_folds import SLOTS, HeadFolds
 from risorius.ports.head_glb import head_glb
 from risorius.ports.head_shade import HEM_STEPS, light, shade
 from risorius.studio.solvers import stage_of
@@ -36,11 +38,12 @@ def faces(stage):
 
 
 def unpacked(stage, message):
-    """Return header, poses (n, 13) and positions (n, vertices, 3) in mm, as a page reads them."""
+    """Return header, poses (n, 14) and positions (n, vertices, 3) in mm, as a page reads them."""
     header = struct.unpack("<6I", message[:24])
     count, vertices, pose = header[3:]
     poses = np.frombuffer(message, "<f4", count * pose, 24).reshape(count, pose)
-    steps = np.frombuffer(message, "<i2", offset=24 + poses.nbytes).reshape(count, vertices, 3)
+    steps = np.frombuffer(message, "<i2", 3 * count * vertices, 24 + poses.nbytes)
+    steps = steps.reshape(count, vertices, 3)
     told = stage.described()
     return header, poses, np.array(told.origin) + told.step * steps.astype(np.float64)
 
@@ -69,6 +72,26 @@ def _matrix(q):
             [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
         ]
     )
+
+
+def test_the_heights_of_fine_wrinkles_are_those_that_were_solved(stage, faces):
+    message, folds = stage.packed(FRAMES, 1, 0, faces), stage.described().folds
+    heights = np.frombuffer(message[-2 * folds.count :], np.uint8).reshape(2, -1) * folds.step
+    places = stage.folds.places()
+    targets = np.frombuffer(places, "<u4", folds.count)
+    vertices, slots = targets // SLOTS, targets % SLOTS
+    regions = np.frombuffer(places, np.uint8, SLOTS * len(faces[0].skin), 4 * folds.count).reshape(-1, SLOTS)
+    own = regions[vertices, slots].astype(int) - 1
+    assert heights.max() > 0.5
+    for face, found in zip(faces, heights, strict=True):
+        assert np.abs(found - face.wrinkles[vertices, own]).max() <= 0.51 * folds.step
+        assert face.wrinkles.sum() == pytest.approx(face.wrinkles[vertices, own].sum(), rel=1e-3)
+
+
+@pytest.mark.parametrize("name", shipped_heads())
+def test_wrinkles_of_all_heads_have_a_slot_each(name):
+    """But at a few vertices at the borders of two of them, where these fade."""
+    assert HeadFolds(load_head(name)).left_out <= 4
 
 
 def test_brows_and_lashes_go_along_with_the_skin(stage, faces):
@@ -110,7 +133,7 @@ def test_a_page_is_told_where_lips_meet_and_where_cloth_begins(stage):
     assert np.abs(skin[upper, 0] - skin[lower, 0]).max() < 3.0
     assert np.median(skin[upper, 1] - skin[lower, 1]) >= 0.0
     seen = np.frombuffer(shade(stage.head), np.uint8).reshape(len(skin), -1)
-    assert seen.shape[1] == 1 + len(light().lamps) + 1 + 3
-    inside = (seen[:, -4].astype(float) - 128.0) / HEM_STEPS
+    assert seen.shape[1] == 1 + len(light().lamps) + 1 + 3 + 4
+    inside = (seen[:, -8].astype(float) - 128.0) / HEM_STEPS
     depth = neckline(find_anatomy(stage.head)).clip(-128 / HEM_STEPS, 127 / HEM_STEPS)
     assert np.abs(inside - depth).max() <= 0.51 / HEM_STEPS

@@ -5,7 +5,8 @@ the request's number), first frame, count, vertices per frame, floats of pose pe
 float32 (count, 14): quaternions x, y, z, w of head, left eye and right eye, the jaw's angle in radians, and
 how much blood the lips gain, of the usual.
 Then the positions, int16 (count, vertices, 3): `origin + step * value` mm in the head's frame, before the
-head turns. The vertices are those of `parts` in order, as the meshes of the head's file have them.
+head turns. The vertices are those of `parts` in order, as the meshes of the head's file have them. Then the
+heights of the fine wrinkles, uint8 (count, `folds.count`): `folds.step * value` mm (`head_folds.py`).
 """
 
 from __future__ import annotations
@@ -18,14 +19,17 @@ import numpy as np
 from ..core.arrays import Array, Float32Array, Int16Array
 from ..face.frame import FaceFrame
 from ..face.head import Head
+from ..looks.eyeball import pupil_axes
 from ..looks.head_model import FACIAL_HAIRS, head_model
 from ..looks.parts import Part
 from ..looks.perfusion import gained_by_lips
 from ..looks.srgb import linear
 from .glb_scene import riding
 from .gltf import quaternions
+from .head_folds import HeadFolds
 from .head_shade import blood, light
-from .stage_table import StagePart, StageTable
+from .skin_formulas import key_shadow, shading
+from .stage_table import StageEye, StagePart, StageTable
 
 FRAMES, DIALLED, MOMENT = 1, 2, 3
 HEADER = struct.Struct("<6I")
@@ -46,6 +50,7 @@ class FacePacker:
         self.origin = np.round(0.5 * (points.min(axis=0) + points.max(axis=0)))
         self._rest = self.head_parts["skin"].points
         self.parts = tuple(self._parts())
+        self.folds = HeadFolds(head)
 
     def _parts(self) -> Iterator[StagePart]:
         first = 0
@@ -57,19 +62,30 @@ class FacePacker:
 
     def described(self) -> StageTable:
         """Return what a page needs to unpack faces."""
-        left, right = self.head.eye_centre
         return StageTable(
             vertices=self.vertices,
             pose=POSE,
             step=STEP,
             origin=_place(self.origin),
             pivot=_place(self.head.head_pivot),
-            eyes=(_place(left), _place(right)),
+            eyes=tuple(map(self._eye, range(2))),
             lips=tuple((int(upper), int(lower)) for upper, lower in self.head.lip_pairs),
             light=light(),
             cloth=_place(linear(self.head.identity.looks.cloth)),
             blood=blood(),
+            shading=shading(),
+            shadow=key_shadow(head_model(self.head).anatomy),
+            folds=self.folds.described(),
             parts=self.parts,
+        )
+
+    def _eye(self, side: int) -> StageEye:
+        head = self.head
+        return StageEye(
+            centre=_place(head.eye_centre[side]),
+            radius=float(head.eye_radius[side]),
+            axes=tuple(pupil_axes()[side].ravel().tolist()),
+            lids=tuple((int(upper), int(lower)) for upper, lower in head.lid_pairs[side]),
         )
 
     def packed(self, kind: int, take: int, first: int, faces: list[FaceFrame]) -> bytes:
@@ -77,7 +93,8 @@ class FacePacker:
         poses = np.concatenate([pose_of(face) for face in faces])
         positions = np.stack([self.positions(face) for face in faces])
         header = HEADER.pack(kind, take, first, len(faces), self.vertices, POSE)
-        return b"".join((header, poses.astype("<f4").tobytes(), positions.tobytes()))
+        heights = [self.folds.heights(face.wrinkles).tobytes() for face in faces]
+        return b"".join((header, poses.astype("<f4").tobytes(), positions.tobytes(), *heights))
 
     def positions(self, face: FaceFrame) -> Int16Array:
         """Return the points of a face in steps from the origin, shape (vertices, 3)."""

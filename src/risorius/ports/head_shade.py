@@ -7,7 +7,9 @@ import numpy as np
 from ..core.arrays import Float32Array
 from ..face.head import Head
 from ..looks.anatomy import Anatomy, find_anatomy, smoothstep
+from ..looks.attributes import CURVATURE, INNER, MAX_CURVATURE, ROUGHNESS, SPECULAR
 from ..looks.garment import neckline
+from ..looks.head_model import head_model
 from ..looks.perfusion import LEAST, LIPS_ABSORB, MOST, SKIN_ABSORBS, skin_blood
 from ..render.lights import STUDIO
 from ..render.resting import light_at_rest
@@ -18,11 +20,12 @@ LINING = 0.8
 LINING_BEGINS, LINING_LESSENS = (3.0, 9.0), (6.0, 42.0)
 HEM_STEPS = 4.0
 BLOOD_STEPS = 127.0
+STRONGEST = 2.0  # of the gloss
 
 
 def light() -> StageLight:
     """Return the lamps (direction and linear colour each), and the ambient light from above and below."""
-    lamps = tuple(StageLamp(lamp.direction(), lamp.colour) for lamp in STUDIO.lamps)
+    lamps = tuple(StageLamp(lamp.direction(), lamp.colour, lamp.softness) for lamp in STUDIO.lamps)
     return StageLight(lamps, STUDIO.sky, STUDIO.ground)
 
 
@@ -34,17 +37,21 @@ def blood() -> StageBlood:
 
 
 def shade(head: Head) -> bytes:
-    """Return what each vertex of the skin sees at rest of its surroundings and of each lamp, cloth and blood.
+    """Return what each vertex of the skin sees of the light at rest, its cloth, its blood and its gloss.
 
-    uint8 (vertices, 1 + lamps + 1 + 3): 255 for all of the light; then 128 at the neckline, one more for each
+    uint8 (vertices, 1 + lamps + 1 + 3 + 4): the share of the surroundings and of each lamp that it sees, 255
+    for 1, of the first lamp for what hair leaves of it; then 128 at the neckline, one more for each
     1 / HEM_STEPS mm into the cloth that is worn; then how blood shows in skin, in lips, and where skin is
-    bunched (`SkinBlood`), one for each 1 / BLOOD_STEPS, the last from 128 on.
+    bunched (`SkinBlood`), one for each 1 / BLOOD_STEPS, the last from 128 on; then roughness squared, the
+    strength of the gloss of STRONGEST, the curvature of the greatest, the share of mouth interior, 255 for 1.
     """
     anatomy = find_anatomy(head)
     shares = _lit_lining(anatomy, light_at_rest(head, STUDIO))
     hem = 128.0 + HEM_STEPS * neckline(anatomy).astype(np.float32)[:, None]
     shown = BLOOD_STEPS * np.stack(skin_blood(head, head.identity.looks), axis=1) + np.array([0, 0, 128])
-    columns = np.concatenate([255.0 * shares.clip(0.0, 1.0), hem, shown], axis=1)
+    skin = head_model(head).solids["skin"].attributes[:, [ROUGHNESS, SPECULAR, CURVATURE, INNER]]
+    surface = 255.0 * skin / np.array([1.0, STRONGEST, MAX_CURVATURE, 1.0])
+    columns = np.concatenate([255.0 * shares.clip(0.0, 1.0), hem, shown, surface], axis=1)
     return np.round(columns.clip(0.0, 255.0)).astype(np.uint8).tobytes()
 
 

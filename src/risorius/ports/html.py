@@ -24,6 +24,7 @@ from .head_glb import head_glb
 from .head_shade import shade
 from .page_faces import CHUNK, STEP, PackedFaces, deflated
 from .page_modules import WEB, import_map, name_of
+from .skin_formulas import skin_tables
 from .subtitles import subtitles
 from .table import write_lines
 from .writable import WritableTake, WriteOptions
@@ -45,6 +46,8 @@ def write_html(take: WritableTake, path: Path, options: WriteOptions) -> None:
         "facts": deflated(json.dumps(facts).encode()),
         "head": deflated(_planes(head_glb(packer))),
         "shade": deflated(shade(packer.head)),
+        "folds": deflated(packer.folds.places()),
+        "skin": deflated(skin_tables()),
         "poses": deflated(faces.poses),
         **{f"faces-{n}": chunk for n, chunk in enumerate(faces.chunks)},
     }

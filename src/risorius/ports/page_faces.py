@@ -2,7 +2,8 @@
 
 A chunk holds up to CHUNK faces. Each face is the difference, in steps of STEP mm, from the one before; the
 first of a chunk from the first of all, which is the difference from zero. A difference d is written as 2 d,
-or as -2 d - 1 if it is negative: uint16, x of all vertices, then y, then z. All low bytes of a chunk come
+or as -2 d - 1 if it is negative: uint16, x of all vertices, then y, z, then the heights of the fine wrinkles,
+in steps of their own. All low bytes of a chunk come
 before all high ones. A page inflates only the chunks about its playhead.
 """
 
@@ -21,7 +22,7 @@ from .face_packer import FacePacker, pose_of
 
 CHUNK = 30
 COARSER = 4
-"""How many of the studio's steps are one of the page's."""
+"""How many of the studio's steps are one of the page's; the heights of wrinkles have the studio's."""
 STEP = COARSER * face_packer.STEP
 
 
@@ -49,9 +50,10 @@ class PackedFaces:
             yield deflated(_bytes(np.diff(points.astype(np.int32), axis=0, prepend=before)))
 
     def _steps(self, face: FaceFrame) -> Int16Array:
-        """Return a face as x of all vertices, y, z: shape (3 * vertices,)."""
+        """Return a face as x of all vertices, y, z, and the heights: shape (3 * vertices + folds.count,)."""
         steps = np.round(self._packer.positions(face) / COARSER)
-        return np.asarray(steps.T.ravel(), np.int16)
+        heights = self._packer.folds.heights(face.wrinkles)
+        return np.concatenate([steps.T.ravel(), heights]).astype(np.int16)
 
 
 def _bytes(differences: np.ndarray) -> bytes:

@@ -16,11 +16,25 @@ class StagePart:
 
 
 @dataclass(frozen=True, slots=True)
+class StageEye:
+    """An eye in mm: its centre, its radius, and the pairs of the skin's vertices of its lids' margins.
+
+    `axes` are the rows of the rotation from the line of sight to the pupil.
+    """
+
+    centre: tuple[float, float, float]
+    radius: float
+    axes: tuple[float, ...]
+    lids: tuple[tuple[int, int], ...]
+
+
+@dataclass(frozen=True, slots=True)
 class StageLamp:
-    """A lamp: from where it shines, and its linear colour."""
+    """A lamp: from where it shines, its linear colour, and how much its size widens gloss."""
 
     direction: tuple[float, float, float]
     colour: tuple[float, float, float]
+    softness: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +61,47 @@ class StageBlood:
 
 
 @dataclass(frozen=True, slots=True)
+class StageFolds:
+    """The fine wrinkles of a head: how many heights a face has, in steps of so many mm.
+
+    `styles` has for each region of wrinkles its kind, the width of its furrows in mm, how dark these are, and
+    the share of the height that is shaded.
+    """
+
+    count: int
+    step: float
+    styles: tuple[tuple[float, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class StageShadow:
+    """The key lamp's shadow map: rows of the matrix that gives x and y in texels and mm towards the lamp.
+
+    It has `size` texels a side and is `depth` mm deep; what is no more than `bias` mm nearer casts no shadow.
+    """
+
+    matrix: tuple[float, ...]
+    size: int
+    depth: float
+    bias: float
+
+
+@dataclass(frozen=True, slots=True)
+class StageShading:
+    """What skin is shaded by: the library's formulas as GLSL, and the sizes of its tables (`GET /api/skin`).
+
+    `grain` cells each way of the pores' heights, which are at most `highest`; light that leaves skin at so
+    many angles and curvatures.
+    """
+
+    formulas: str
+    grain: int
+    angles: int
+    curvatures: int
+    highest: float
+
+
+@dataclass(frozen=True, slots=True)
 class StageTable:
     """`GET /api/stage`: how faces are unpacked: `origin + step * value` mm; `pose` floats a face; mm.
 
@@ -59,9 +114,12 @@ class StageTable:
     step: float
     origin: tuple[float, float, float]
     pivot: tuple[float, float, float]
-    eyes: tuple[tuple[float, float, float], tuple[float, float, float]]
+    eyes: tuple[StageEye, ...]
     lips: tuple[tuple[int, int], ...]
     light: StageLight
     cloth: tuple[float, float, float]
     blood: StageBlood
+    shading: StageShading
+    shadow: StageShadow
+    folds: StageFolds
     parts: tuple[StagePart, ...]

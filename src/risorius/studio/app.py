@@ -26,6 +26,7 @@ from ..errors import InputError, RisoriusError, unknown
 from ..face.head import shipped_heads
 from ..ports.head_glb import head_glb
 from ..ports.head_shade import shade
+from ..ports.skin_formulas import skin_tables
 from ..serve.server import LiveServer, ServeOptions
 from ..web.guard import Guard
 from . import limits, session_list
@@ -85,6 +86,8 @@ class Studio:
             Route("/api/head", head),
             Route("/api/stage", stage),
             Route("/api/shade", shading),
+            Route("/api/folds", folds),
+            Route("/api/skin", skin),
             Route("/api/session/{session}/take/{take:int}/sound.wav", self.sound),
             Route("/api/sessions", self.list_sessions),
             Route("/api/session/{session}/rename", self.rename_session, methods=["POST"]),
@@ -265,6 +268,17 @@ async def shading(request: Request) -> Response:
     return await _of_head(request, _shaded, "application/octet-stream")
 
 
+async def folds(request: Request) -> Response:
+    """Return where the fine wrinkles of a head lie (`head_folds.py`)."""
+    return await _of_head(request, _folds, "application/octet-stream")
+
+
+async def skin(request: Request) -> Response:
+    """Return the tables that skin is shaded by (`skin_formulas.py`)."""
+    data = await run_in_threadpool(skin_tables)
+    return Response(data, media_type="application/octet-stream", headers=SAME_FOR_AN_HOUR)
+
+
 async def _of_head(request: Request, make: Callable[..., bytes], kind: str) -> Response:
     data = await run_in_threadpool(make, *looks_of(request))
     return Response(data, media_type=kind, headers=SAME_FOR_AN_HOUR)
@@ -294,6 +308,10 @@ def _glb(head: str, age: float | None, hair: str | None, complexion: float | Non
 @lru_cache(maxsize=8)
 def _shaded(head: str, age: float | None, hair: str | None, complexion: float | None) -> bytes:
     return shade(stage_of(head, age, hair, complexion).head)
+
+
+def _folds(head: str, age: float | None, hair: str | None, complexion: float | None) -> bytes:
+    return stage_of(head, age, hair, complexion).folds.places()
 
 
 def _described(head: str, age: float | None, hair: str | None, complexion: float | None) -> bytes:

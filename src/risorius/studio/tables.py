@@ -5,7 +5,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from ..ports.stage_table import StageBlood, StageLamp, StageLight, StagePart, StageTable
+from ..ports.stage_table import (
+    StageBlood,
+    StageEye,
+    StageFolds,
+    StageLamp,
+    StageLight,
+    StagePart,
+    StageShading,
+    StageShadow,
+    StageTable,
+)
 from .wire.shared import Choices
 
 
@@ -211,5 +221,5 @@ class Catalogue:
 TABLES: tuple[type, ...] = (
     ParameterRow, UnitRow, EmotionRow, NumberRow, ProfileRow, AttitudeRow, VoiceRow, HeadRow, ChannelRow,
     OnsetRow, RuleRow, OutputRow, ChoiceRow, SettingRow, LimitsTable, Catalogue, StagePart, StageLamp,
-    StageBlood, StageLight, StageTable,
+    StageEye, StageBlood, StageFolds, StageShading, StageShadow, StageLight, StageTable,
 )  # fmt: skip

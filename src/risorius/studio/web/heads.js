@@ -43,12 +43,12 @@ export class Heads {
    * @param {string} asked
    */
   async #fetch(asked) {
-    const [file, packing, shade] = await Promise.all([
-      answered(`/api/head?${asked}`).then((response) => response.arrayBuffer()),
+    const [packing, head, shade, folds, skin] = await Promise.all([
       answered(`/api/stage?${asked}`).then((response) => response.json()),
-      answered(`/api/shade?${asked}`).then((response) => response.arrayBuffer()),
+      ...[`head?${asked}`, `shade?${asked}`, `folds?${asked}`, "skin"].map(bytesOf),
     ]);
-    return buildFigure(file, packing, new Uint8Array(shade), this.#stage.lit(packing.light));
+    this.#stage.lit(packing.light);
+    return buildFigure({ head, shade, folds, skin }, packing);
   }
 }
 
@@ -58,6 +58,11 @@ function query({ head, age, hair, complexion }) {
     ([, value]) => value !== null && value !== undefined,
   );
   return new URLSearchParams(given.map(([name, value]) => [name, String(value)])).toString();
+}
+
+/** @param {string} name of what is asked */
+async function bytesOf(name) {
+  return (await answered(`/api/${name}`)).arrayBuffer();
 }
 
 /** @param {string} address */

@@ -78,6 +78,12 @@
  * @typedef {{name: string, translation?: number[]}} FileNode
  * @typedef {{meshes: Record<string, FileMesh>, nodes: FileNode[], skins: object[], images: Blob[]}} HeadFile
  * @typedef {import("./wire.js").CameraView} CameraState
+ * @typedef {Object} HeadData of the server
+ * @property {ArrayBuffer} head at rest, as binary glTF
+ * @property {ArrayBuffer} shade what each vertex of the skin sees at rest of its surroundings and of each lamp, how far
+ *   it is from the neckline, how its blood and its gloss show, as `head_shade.py` packs it
+ * @property {ArrayBuffer} folds where its fine wrinkles lie, as `head_folds.py` packs it
+ * @property {ArrayBuffer} skin the tables that skin is shaded by, as `skin_formulas.py` packs them
  *
  * A performance that a page holds (`played/`):
  * @typedef {Object} PlayedFacts

@@ -875,10 +875,20 @@
  * @property {[number, number, number]} about
  */
 /**
- * A lamp: from where it shines, and its linear colour.
+ * A lamp: from where it shines, its linear colour, and how much its size widens gloss.
  * @typedef {Object} StageLamp
  * @property {[number, number, number]} direction
  * @property {[number, number, number]} colour
+ * @property {number} softness
+ */
+/**
+ * An eye in mm: its centre, its radius, and the pairs of the skin's vertices of its lids' margins.
+ * `axes` are the rows of the rotation from the line of sight to the pupil.
+ * @typedef {Object} StageEye
+ * @property {[number, number, number]} centre
+ * @property {number} radius
+ * @property {Array<number>} axes
+ * @property {Array<[number, number]>} lids
  */
 /**
  * How skin changes its colour, as `looks/perfusion.py` says it.
@@ -889,6 +899,36 @@
  * @property {[number, number, number]} lips
  * @property {number} least
  * @property {number} most
+ */
+/**
+ * The fine wrinkles of a head: how many heights a face has, in steps of so many mm.
+ * `styles` has for each region of wrinkles its kind, the width of its furrows in mm, how dark these are,
+ * and the share of the height that is shaded.
+ * @typedef {Object} StageFolds
+ * @property {number} count
+ * @property {number} step
+ * @property {Array<Array<number>>} styles
+ */
+/**
+ * What skin is shaded by: the library's formulas as GLSL, and the sizes of its tables (`GET /api/skin`).
+ * `grain` cells each way of the pores' heights, which are at most `highest`; light that leaves skin at so
+ * many angles and curvatures.
+ * @typedef {Object} StageShading
+ * @property {string} formulas
+ * @property {number} grain
+ * @property {number} angles
+ * @property {number} curvatures
+ * @property {number} highest
+ */
+/**
+ * The key lamp's shadow map: rows of the matrix that gives x and y in texels and mm towards the lamp.
+ * It has `size` texels a side and is `depth` mm deep; what is no more than `bias` mm nearer casts no
+ * shadow.
+ * @typedef {Object} StageShadow
+ * @property {Array<number>} matrix
+ * @property {number} size
+ * @property {number} depth
+ * @property {number} bias
  */
 /**
  * The light that a head is drawn in: lamps, and the linear ambient light from above and below.
@@ -907,11 +947,14 @@
  * @property {number} step
  * @property {[number, number, number]} origin
  * @property {[number, number, number]} pivot
- * @property {[[number, number, number], [number, number, number]]} eyes
+ * @property {Array<StageEye>} eyes
  * @property {Array<[number, number]>} lips
  * @property {StageLight} light
  * @property {[number, number, number]} cloth
  * @property {StageBlood} blood
+ * @property {StageShading} shading
+ * @property {StageShadow} shadow
+ * @property {StageFolds} folds
  * @property {Array<StagePart>} parts
  */
 /** @typedef {"open" | "perform" | "prepare" | "draft" | "stop" | "choose" | "relabel" | "edit_all" | "preview_all" | "markers" | "lanes" | "bring_back" | "let_go" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */

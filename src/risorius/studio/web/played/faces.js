@@ -49,32 +49,35 @@ export class PlayedFaces {
   }
 
   /**
-   * The points of a chunk's faces; each is the one before and a difference.
+   * The points of a chunk's faces, and after them the heights of their wrinkles; each is the one before and a difference.
    * @param {number} number @param {Int16Array | null} base
    */
   async #points(number, base) {
     const bytes = new Uint8Array(await inflated(`faces-${number}`));
-    const count = 3 * this.#facts.stage.vertices;
-    const [half, vertices] = [bytes.length / 2, count / 3];
+    const { vertices, folds } = this.#facts.stage;
+    const [half, count] = [bytes.length / 2, 3 * vertices + folds.count];
     let before = base ?? new Int16Array(count);
     return Array.from({ length: half / count }, (_, face) => {
       const points = new Int16Array(count);
-      for (let axis = 0, k = face * count; axis < 3; axis++) {
-        for (let to = axis, vertex = 0; vertex < vertices; vertex++, to += 3, k++) {
-          const folded = bytes[k] | (bytes[half + k] << 8);
-          points[to] = before[to] + ((folded >> 1) ^ -(folded & 1));
-        }
-      }
+      let k = face * count;
+      /** @param {number} to */
+      const unfold = (to) => {
+        const folded = bytes[k] | (bytes[half + k++] << 8);
+        points[to] = before[to] + ((folded >> 1) ^ -(folded & 1));
+      };
+      for (let axis = 0; axis < 3; axis++) for (let to = axis; to < 3 * vertices; to += 3) unfold(to);
+      for (let to = 3 * vertices; to < count; to++) unfold(to);
       before = points;
       return points;
     });
   }
 
-  /** @param {Int16Array} points @param {number} frame @returns {Face} */
-  #face(points, frame) {
-    const { pose } = this.#facts.stage;
+  /** @param {Int16Array} numbers @param {number} frame @returns {Face} */
+  #face(numbers, frame) {
+    const { pose, vertices } = this.#facts.stage;
+    const [points, folds] = [numbers.subarray(0, 3 * vertices), numbers.subarray(3 * vertices)];
     const turns = this.#poses.subarray(frame * pose, (frame + 1) * pose);
     const eyes = [turns.subarray(4, 8), turns.subarray(8, 12)];
-    return { points, head: turns.subarray(0, 4), eyes, jaw: turns[12], lips: turns[13], frame };
+    return { points, folds, head: turns.subarray(0, 4), eyes, jaw: turns[12], lips: turns[13], frame };
   }
 }

@@ -24,8 +24,9 @@ const facts = JSON.parse(new TextDecoder().decode(await inflated("facts")));
 const fps = rateOf(facts.fps);
 const clock = new Clock();
 const stage = new Stage(element("head"));
-const [head, shade, poses] = await Promise.all(["head", "shade", "poses"].map(inflated));
-const figure = await buildFigure(woven(head), facts.stage, new Uint8Array(shade), stage.lit(facts.stage.light));
+const [head, shade, folds, skin, poses] = await Promise.all(["head", "shade", "folds", "skin", "poses"].map(inflated));
+stage.lit(facts.stage.light);
+const figure = await buildFigure({ head: woven(head), shade, folds, skin }, facts.stage);
 stage.figures = [figure];
 const faces = new PlayedFaces(facts, new Float32Array(poses), () => {
   show();

@@ -8,29 +8,29 @@
 import * as THREE from "../vendor/three/three.module.min.js";
 import { Blood } from "./blood.js";
 import { lighterOf, shade as shadeAnew } from "./detail.js";
+import { eyeMaterial, placeLids, turnEye } from "./eye.js";
+import { Folds } from "./folds.js";
 import { MM, bloodOf, geometryOf, irisTexture, lightOf, neckColour, neckShare } from "./geometry.js";
 import { readGlb } from "./glb.js";
 import { HAIRS } from "./hair.js";
 import { lightBetween, slitsOf } from "./lips.js";
 import { materialOf } from "./materials.js";
+import { lightingUniforms } from "./shading.js";
+import { KeyShadow } from "./shadow.js";
+import { skinMaterial } from "./skin.js";
 import { Order, asStrands } from "./strands.js";
-/** @import {FileMesh, HeadFile, Mesh} from "../types.js" */
+/** @import {FileMesh, HeadData, HeadFile, Mesh} from "../types.js" */
 /** @import {StagePart, StageTable} from "../wire.js" */
-
-/** @typedef {{mirrored: THREE.Texture, iris: THREE.Texture}} Pictures of what the eyes mirror, and of an iris */
 
 const MOUTH = ["teeth_upper", "teeth_lower", "tongue"];
 
 /**
- * @param {ArrayBuffer} file the head as binary glTF
+ * @param {HeadData} data of the head
  * @param {StageTable} packing how faces of this head are packed, as the server describes it
- * @param {Uint8Array} shade what each vertex of the skin sees at rest of its surroundings and of each lamp, how far it
- *   is from the neckline, and how its blood shows, as `head_shade.py` packs it
- * @param {THREE.Texture} mirrored what the eyes mirror
  */
-export async function buildFigure(file, packing, shade, mirrored) {
-  const glb = readGlb(file);
-  return new Figure(glb, packing, shade, { mirrored, iris: await irisTexture(glb.images[0]) });
+export async function buildFigure(data, packing) {
+  const glb = readGlb(data.head);
+  return new Figure(glb, packing, data, await irisTexture(glb.images[0]));
 }
 
 export class Figure {
@@ -58,9 +58,15 @@ export class Figure {
   #slits;
   /** @type {Blood} */
   #blood;
+  #folds;
+  #shadow;
+  /** What skin and eyes are lit by. @type {Record<string, {value: any}>} */
+  #uniforms;
+  #shaded = false; // whether the shadow is that of the face
 
-  /** @param {HeadFile} glb @param {StageTable} packing @param {Uint8Array} shade @param {Pictures} pictures */
-  constructor(glb, packing, shade, pictures) {
+  /** @param {HeadFile} glb @param {StageTable} packing @param {HeadData} data @param {THREE.Texture} iris */
+  constructor(glb, packing, data, iris) {
+    const shade = new Uint8Array(data.shade);
     this.#packing = packing;
     this.pivot = new THREE.Vector3(...packing.pivot);
     this.#head.position.copy(this.pivot);
@@ -68,9 +74,15 @@ export class Figure {
     this.#neck = neckShare(glb.meshes.skin);
     this.group.scale.setScalar(1 / MM);
     const places = Object.fromEntries(glb.nodes.map((node) => [node.name, node.translation]));
-    for (const [name, mesh] of Object.entries(glb.meshes)) this.#add(name, mesh, places[name], pictures);
+    this.#uniforms = lightingUniforms(packing, new Uint8Array(data.skin));
+    for (const [name, mesh] of Object.entries(glb.meshes)) this.#add(name, mesh, places[name], iris);
     this.#placeMouth();
     this.#light(shade);
+    const { geometry } = this.#meshes.skin;
+    geometry.setAttribute("rest", geometry.attributes.position.clone());
+    this.#folds = new Folds(geometry, data.folds, packing.folds.count);
+    this.#shadow = new KeyShadow(packing.shadow, this.#uniforms.shadowRows.value);
+    this.#uniforms.shadowMap.value = this.#shadow.map;
     this.#blood = this.#perfuse(shade);
     this.#slits = slitsOf(packing.lips, this.#points);
     this.#lightMouth();
@@ -84,6 +96,11 @@ export class Figure {
     return this.#points;
   }
 
+  /** What skin alone is shaded by. */
+  get #ownUniforms() {
+    return /** @type {THREE.ShaderMaterial} */ (this.#meshes.skin.material).uniforms;
+  }
+
   get #points() {
     return pointsOf(this.#meshes.skin);
   }
@@ -93,13 +110,17 @@ export class Figure {
    * @param {boolean} fine whether all triangles are, or few: as a machine without a graphics card draws a face
    *   that moves
    * @param {THREE.Camera} camera @param {number} height of the picture, in pixels
+   * @param {THREE.WebGLRenderer} renderer that draws it
    */
-  ready(fine, camera, height) {
+  ready(fine, camera, height, renderer) {
     if (fine !== this.#fine) this.#refine(fine);
     this.#takeFace();
     for (const name of this.#stale) this.#moved(name);
     this.#stale.clear();
     this.group.updateMatrixWorld(true);
+    this.#ownUniforms.millimetres.value = (2 * MM * camera.position.length()) / (height * camera.projectionMatrix.elements[5]);
+    if (!this.#shaded) this.#shadow.draw(renderer, this.#fine ? this.#meshes.skin : this.#lighter.skin.mesh);
+    this.#shaded = true;
     for (const mesh of this.#hairs.keys()) if (mesh.visible) this.#comb(mesh, camera, height);
   }
 
@@ -147,6 +168,8 @@ export class Figure {
 
   /** Free what the graphics card holds. */
   dispose() {
+    this.#shadow.dispose();
+    for (const name of ["grainTile", "leaving"]) this.#uniforms[name].value.dispose();
     for (const { geometry, material } of this.#drawn()) {
       geometry.dispose();
       material.dispose();
@@ -154,11 +177,13 @@ export class Figure {
     this.group.removeFromParent();
   }
 
-  /** @param {string} name @param {FileMesh} data @param {number[] | undefined} translation @param {Pictures} pictures */
-  #add(name, data, translation, pictures) {
+  /**
+   * @param {string} name @param {FileMesh} data @param {number[] | undefined} translation @param {THREE.Texture} iris
+   */
+  #add(name, data, translation, iris) {
     const moves = this.#packing.parts.some((part) => part.name === name);
     const geometry = geometryOf(data, moves);
-    const material = materialOf(data.material.name, { ...pictures, cloth: this.#packing.cloth, blood: this.#packing.blood });
+    const material = this.#materialOf(data.material.name, iris);
     const mesh = new THREE.Mesh(geometry, material);
     mesh.frustumCulled = false;
     mesh.renderOrder = name === "skin" ? 0 : 1; // what it hides need not be shaded
@@ -171,6 +196,13 @@ export class Figure {
     }
   }
 
+  /** @param {string} name of the file's material @param {THREE.Texture} iris */
+  #materialOf(name, iris) {
+    if (name === "skin") return skinMaterial(this.#packing, this.#uniforms);
+    if (name === "eye") return eyeMaterial(this.#packing, this.#uniforms, iris, this.#eyes.length);
+    return materialOf(name);
+  }
+
   #takeFace() {
     const shown = this.#lent ? { a: this.#lent, b: this.#lent, share: 0 } : this.#shown;
     if (!this.#waits || !shown) return;
@@ -179,17 +211,23 @@ export class Figure {
     turn(this.#head.quaternion, a.head, b.head, share);
     for (const part of this.#packing.parts) this.#place(part, a.points, b.points, share);
     this.#lightMouth();
-    this.#meshes.skin.material.userData.lipsGain.value = a.lips + share * (b.lips - a.lips);
+    this.#folds.raise(a.folds, b.folds, share);
+    this.#ownUniforms.lipsGain.value = a.lips + share * (b.lips - a.lips);
+    this.#uniforms.headTurn.value.setFromMatrix4(TURNED.makeRotationFromQuaternion(this.#head.quaternion));
     this.#eyes.forEach((eye, side) => turn(eye.quaternion, a.eyes[side], b.eyes[side], share));
+    this.#eyes.forEach(({ quaternion, material }, side) => {
+      const turned = TURNED.makeRotationFromQuaternion(TARGET.multiplyQuaternions(this.#head.quaternion, quaternion));
+      turnEye(/** @type {any} */ (material), this.#packing.eyes[side], turned);
+    });
   }
 
   /** @param {Uint8Array} shade */
   #light(shade) {
-    const { geometry, material } = this.#meshes.skin;
+    const { geometry } = this.#meshes.skin;
     for (const [name, attribute] of Object.entries(lightOf(shade, geometry.attributes.position.count))) {
       geometry.setAttribute(name, attribute);
     }
-    material.userData.neck.value.copy(neckColour(/** @type {Record<string, THREE.BufferAttribute>} */ (geometry.attributes)));
+    this.#ownUniforms.neck.value.copy(neckColour(/** @type {Record<string, THREE.BufferAttribute>} */ (geometry.attributes)));
   }
 
   /** Have the skin know how its blood shows. @param {Uint8Array} shade */
@@ -215,6 +253,7 @@ export class Figure {
       }
     }
     if (name === "skin") {
+      this.#eyes.forEach(({ material }, side) => placeLids(/** @type {any} */ (material), this.#packing.eyes[side], points));
       this.#blood.flow(points, /** @type {Float32Array} */ (this.#meshes.skin.geometry.attributes.gained.array));
       this.#bendNeck(points);
     }
@@ -244,6 +283,7 @@ export class Figure {
   /** A mesh's vertices are elsewhere: so is what is drawn of it, and the normals of what is no hair. @param {string} name */
   #moved(name) {
     const { geometry } = this.#meshes[name];
+    this.#shaded &&= name !== "skin";
     const lighter = this.#fine ? null : this.#lighter[name];
     for (const moving of name === "skin" ? ["position", "gained"] : ["position"]) {
       lighter?.take(moving);
@@ -283,7 +323,7 @@ export class Figure {
   #prepareLighter() {
     const { min, max } = /** @type {THREE.Box3} */ (this.#meshes.teeth_upper.geometry.boundingBox);
     const mouth = new THREE.Vector3(0, (min.y + max.y) / 2, max.z).add(this.pivot);
-    const spots = { eyes: this.#packing.eyes, mouth: mouth.toArray() };
+    const spots = { eyes: this.#packing.eyes.map(({ centre }) => centre), mouth: mouth.toArray() };
     for (const [name, mesh] of Object.entries(this.#meshes)) {
       const lighter = lighterOf(name, mesh, spots);
       if (!lighter) continue;

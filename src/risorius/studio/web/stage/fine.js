@@ -66,7 +66,7 @@ export class Fine {
       this.#renderer.setRenderTarget(null);
     };
     yield within(() => {
-      figure.ready(true, camera, height);
+      figure.ready(true, camera, height, this.#renderer);
       paint(cut);
       cut(x, 0, width, height);
       this.#renderer.clear(false, true, true);

@@ -4,32 +4,33 @@ import * as THREE from "../vendor/three/three.module.min.js";
 /** @import {FileMesh} from "../types.js" */
 
 export const MM = 1000;
+export const LAMPS = 4;
 const NAMES = { POSITION: "position", NORMAL: "normal", TEXCOORD_0: "uv", COLOR_0: "color", _LIGHT: "shaded" };
-const LAMPS = 4;
 const HEM_STEPS = 4; // a millimetre
 const BLOOD_STEPS = 127;
-const BYTES = 1 + LAMPS + 1 + 3; // of a vertex
+const BYTES = 1 + LAMPS + 1 + 3 + 4; // of a vertex
 const ABOVE = [-20, -6]; // mm into the cloth where the neck's colour is taken
 
 /**
- * What each vertex of the skin sees of its surroundings and of each lamp, and its way to the neckline in mm.
+ * What each vertex of the skin sees of each lamp; what it sees of its surroundings, with its roughness, gloss and
+ * curvature; its way to the neckline in mm, with its share of mouth interior.
  * @param {Uint8Array} seen (count, BYTES) as `head_shade.py` packs it
  * @param {number} count of the vertices
- * @returns {{free: THREE.BufferAttribute, reach: THREE.BufferAttribute, hem: THREE.BufferAttribute}}
+ * @returns {{reach: THREE.BufferAttribute, surface: THREE.BufferAttribute, worn: THREE.BufferAttribute}}
  */
 export function lightOf(seen, count) {
-  const [free, reach] = [new Uint8Array(count), new Uint8Array(LAMPS * count)];
-  const hem = new Float32Array(count);
+  const [reach, surface] = [new Uint8Array(LAMPS * count), new Uint8Array(4 * count)];
+  const worn = new Float32Array(2 * count);
   for (let vertex = 0; vertex < count; vertex++) {
-    const [first, last] = [vertex * BYTES, vertex * BYTES + 1 + LAMPS];
-    free[vertex] = seen[first];
-    reach.set(seen.subarray(first + 1, last), LAMPS * vertex);
-    hem[vertex] = (seen[last] - 128) / HEM_STEPS;
+    const own = seen.subarray(vertex * BYTES, (vertex + 1) * BYTES);
+    reach.set(own.subarray(1, 1 + LAMPS), LAMPS * vertex);
+    surface.set([own[0], ...own.subarray(BYTES - 4, BYTES - 1)], 4 * vertex);
+    worn.set([(own[1 + LAMPS] - 128) / HEM_STEPS, own[BYTES - 1] / 255], 2 * vertex);
   }
   return {
-    free: new THREE.BufferAttribute(free, 1, true),
     reach: new THREE.BufferAttribute(reach, LAMPS, true),
-    hem: new THREE.BufferAttribute(hem, 1),
+    surface: new THREE.BufferAttribute(surface, 4, true),
+    worn: new THREE.BufferAttribute(worn, 2),
   };
 }
 
@@ -45,11 +46,11 @@ export function bloodOf(seen, count) {
 }
 
 /** The mean colour of the skin just above the cloth. @param {Record<string, THREE.BufferAttribute>} attributes */
-export function neckColour({ color, hem }) {
+export function neckColour({ color, worn }) {
   const [sum, one] = [new THREE.Color(0, 0, 0), new THREE.Color()];
   let count = 0;
-  for (let vertex = 0; vertex < hem.count; vertex++) {
-    if (hem.array[vertex] < ABOVE[0] || hem.array[vertex] > ABOVE[1]) continue;
+  for (let vertex = 0; vertex < worn.count; vertex++) {
+    if (worn.getX(vertex) < ABOVE[0] || worn.getX(vertex) > ABOVE[1]) continue;
     sum.add(one.setRGB(color.getX(vertex), color.getY(vertex), color.getZ(vertex)));
     count += 1;
   }

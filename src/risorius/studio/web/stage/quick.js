@@ -6,7 +6,7 @@
 import * as THREE from "../vendor/three/three.module.min.js";
 import { replaced } from "./patch.js";
 
-const DEVELOPED = `
+export const DEVELOPED = `
 #include <tonemapping_pars_fragment>
 #include <colorspace_pars_fragment>
 vec3 developed( vec3 light ) {

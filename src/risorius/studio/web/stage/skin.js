@@ -1,117 +1,216 @@
-/** Skin, and the cloth below the neckline. */
+/**
+ * Skin, and the cloth below the neckline, as the library's renderer draws them: light that goes round the edges of
+ * shadow, gloss, pores, fine wrinkles, the shadow of the key lamp, stitches.
+ */
 
 import * as THREE from "../vendor/three/three.module.min.js";
-import { patch } from "./patch.js";
-import { quickened } from "./quick.js";
-/** @import {StageBlood} from "../wire.js" */
+import { DEVELOPED } from "./quick.js";
+import { lighting } from "./shading.js";
+/** @import {StageTable} from "../wire.js" */
 
-// Light goes round the edge of shadow in skin, red farthest: widths of that edge, by colour.
-const WRAP = "vec3( 0.30, 0.13, 0.08 )";
+const SLOTS = 4; // regions of wrinkles at a vertex
+const STRONGEST = "2.0"; // gloss
+const WORN_OVER = "10.0"; // mm over which the file's colours go from skin to cloth
+const EVEN = 0.01; // a vertex' share of the key lamp is that of its triangles where it is nearer to all or nothing
 
-const SKIN_LIT = THREE.ShaderChunk.lights_lambert_pars_fragment.replace(
-  "vec3 irradiance = dotNL * directLight.color;",
-  `float facing = dot( geometryNormal, directLight.direction );
-  vec3 wrapped = saturate( ( vec3( facing ) + ${WRAP} ) / ( 1.0 + ${WRAP} ) );
-  vec3 irradiance = wrapped * directLight.color;
-  vec3 between = normalize( directLight.direction + geometryViewDir );
-  float shine = max( dot( geometryNormal, between ), 0.0 );
-  float grazing = 1.0 - max( dot( geometryViewDir, between ), 0.0 );
-  float shine4 = shine * shine * shine * shine;
-  float grazing2 = grazing * grazing;
-  float gloss = shine4 * shine4 * shine4 * shine * shine * ( 0.028 + 0.30 * grazing2 * grazing2 );
-  reflectedLight.directSpecular += gloss * dotNL * directLight.color * RECIPROCAL_PI * 3.0;`,
-);
-
-const REACHED = THREE.ShaderChunk.lights_fragment_begin.replace(
-  "getDirectionalLightInfo( directionalLight, directLight );",
-  "getDirectionalLightInfo( directionalLight, directLight );\n\t\tdirectLight.color *= lampReach[ i ];",
-);
-
-const CARRIED = `#include <common>
-uniform vec3 cloth;
-uniform vec3 neck;
-varying float roomFree;
-varying vec4 lampReach;
-varying vec2 worn; // mm into the cloth, and the share that the colour has of it
-varying vec3 perfused;
-`;
-// Nearly exp( - 2 half_ ): how much of each colour the blood leaves that a place gains.
-const BLOOD = `
+// What a vertex knows. Nearly exp( - 2 half_ ) is how much of each colour the blood leaves that a place gains.
+const KNOWN = `
+attribute vec4 reach;
+attribute vec4 surface; // of 1: what it sees of its surroundings, roughness squared, strength of gloss, curvature
+attribute vec2 worn; // mm into the cloth, share of mouth interior
 attribute float gained;
 attribute float lipsShare;
 uniform vec3 skinAbsorbs;
 uniform vec3 lipsAbsorb;
 uniform float lipsGain;
+vec3 perfused() {
+  vec3 half_ = 0.5 * ( skinAbsorbs * gained + lipsAbsorb * lipsShare * lipsGain );
+  return color * ( 1.0 - half_ ) / ( 1.0 + half_ );
+}
 `;
-const WORN_OVER = "10.0"; // mm over which the file's colours go from skin to cloth
 
-// Where the colour has the cloth's in it, skin is of the neck's.
-const BARE = "vec3 bare = mix( vColor.rgb * perfused, neck, smoothstep( 0.0, 0.35, worn.y ) );";
+// Skin as smooth as if it had neither pores nor wrinkles. Where the colour has the cloth's in it, it is of the neck's.
+const SMOOTH = `
+uniform vec3 cloth;
+uniform vec3 neck;
+Skin smoothSkin( vec3 colour, vec4 surface, vec4 reach, float hem, vec3 normal, vec3 view ) {
+  vec3 bare = mix( colour, neck, smoothstep( 0.0, 0.35, clamp( 0.5 + hem / ${WORN_OVER}, 0.0, 1.0 ) ) );
+  float free = surface.x * lib_collar_free( hem );
+  return Skin( bare, normal, normal, view, reach, free, surface.y, surface.z * ${STRONGEST}, surface.w * MAX_CURVATURE );
+}
+`;
 
-// The skin ends at the neckline, within a triangle too: the file's colours go over into the cloth's. It is shaded
-// where the collar begins.
-const CUT = `
-  float width = clamp( fwidth( worn.x ), 0.15, 3.0 );
-  float covered = smoothstep( - width, width, worn.x );
-  float collar = 1.0 - 0.4 * exp( min( worn.x, 0.0 ) / 2.5 );
-  float seam = worn.x - 9.0;
-  float knit = 1.0 - 0.3 * exp( - seam * seam * 0.6 );`;
+const CARRIED = `
+varying vec3 tinted;
+varying vec3 place;
+varying vec3 facing;
+varying vec4 lampReach;
+varying vec4 surfaced;
+varying vec3 within; // mm into the cloth, share of mouth interior, share of the key lamp
+varying vec3 resting;
+varying vec4 raised;
+flat varying vec4 regions;
+${each((slot) => `varying vec4 fold${slot};`)}
+`;
 
-/** @type {{vertex: any, fragment: any, light: any}} shader text in place of three's */
-const SKIN = {
-  vertex: [
-    ["#include <common>", `attribute float free;\nattribute vec4 reach;\nattribute float hem;\n${BLOOD}${CARRIED}`],
-    [
-      "#include <begin_vertex>",
-      `#include <begin_vertex>
-      roomFree = free;
-      lampReach = reach;
-      worn = vec2( hem, clamp( 0.5 + hem / ${WORN_OVER}, 0.0, 1.0 ) );
-      vec3 half_ = 0.5 * ( skinAbsorbs * gained + lipsAbsorb * lipsShare * lipsGain );
-      perfused = ( 1.0 - half_ ) / ( 1.0 + half_ );`,
-    ],
-  ],
-  fragment: [
-    ["#include <common>", CARRIED],
-    ["#include <color_fragment>", `${BARE}${CUT}\ndiffuseColor.rgb = mix( bare * collar, cloth * knit, covered );`],
-    // Cloth does not shine.
-    ["vec3 outgoingLight = ", "vec3 outgoingLight = ( 1.0 - covered ) * reflectedLight.directSpecular + "],
-  ],
-  light: [
-    ["#include <lights_lambert_pars_fragment>", SKIN_LIT],
-    ["#include <lights_fragment_begin>", REACHED],
-    ["#include <lights_fragment_end>", "irradiance *= roomFree;\n#include <lights_fragment_end>"],
-  ],
-};
-
-const QUICK = {
-  made: "varying vec3 skin;\nvarying vec3 dressed;\n",
-  develop: `${BARE}\nskin = developed( bare * light + gloss );\ndressed = developed( cloth * light );`,
-  pixel: `
-varying vec2 worn;
+/** @param {StageTable} packing */
+const vertex = (packing) => `
+#include <common>
+${lighting(packing)}
+${KNOWN}${CARRIED}
+attribute vec3 rest;
+attribute vec4 foldHeight;
+attribute vec4 foldRegion;
+${each((slot) => `attribute vec4 foldPlace${slot};`)}
 void main() {
-  gl_FragColor = vec4( skin, 1.0 );
-  if ( worn.x > - 20.0 ) { // mm: above that there is neither cloth nor the collar's shade
-    ${CUT}
-    gl_FragColor.rgb = mix( skin * sqrt( collar ), dressed * knit, covered );
+  tinted = perfused();
+  place = position;
+  facing = normal;
+  lampReach = reach;
+  surfaced = surface;
+  within = vec3( worn, keyShare( position ) );
+  resting = rest;
+  raised = foldHeight * ${packing.folds.step};
+  regions = foldRegion;
+  ${each((slot) => `fold${slot} = foldPlace${slot};`)}
+  gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+}`;
+
+/** @param {StageTable} packing */
+const pixel = (packing) => `
+#include <common>
+${lighting(packing)}
+${SMOOTH}${CARRIED}
+uniform mat3 headTurn;
+uniform float millimetres; // to a pixel
+uniform vec4 foldStyles[ ${packing.folds.styles.length} ]; // kind, furrow, shadow, share
+vec3 tilted( vec3 normal, vec3 slope ) {
+  return normalize( normal + slope );
+}
+// The slope of one region's folds at rest is added, and how deep in a crease the place lies (folds.py).
+void fold( inout vec3 slope, inout float deep, float height, float region, vec4 where, float blur ) {
+  if ( region < 0.5 ) return;
+  vec4 style = foldStyles[ int( region ) - 1 ];
+  height *= style.w;
+  if ( height <= FAINT ) return;
+  vec2 found;
+  if ( style.x == DIMPLES ) {
+    vec4 pits = grain( resting, vec3( PIT_CELLS / style.y ) );
+    found = lib_pit( pits.x, style.y, blur );
+    slope += pits.yzw * height * found.x;
+  } else {
+    float steep = length( where.yzw ) + 1e-6;
+    if ( style.x == FOLD ) found = lib_overhang( where.x / steep, style.y, blur );
+    else found = lib_ridge( ( where.x - floor( where.x + 0.5 ) ) / steep, 1.0 / steep, style.y, blur );
+    slope += where.yzw * height * found.x / steep;
   }
-}`,
-};
+  deep += found.y * lib_darkened( style.z, height );
+}
+void roughen( inout Skin skin, float inner ) {
+  vec4 fine = grain( resting, vec3( PORES ) );
+  vec3 slope = headTurn * fine.yzw;
+  slope = ( slope - skin.soft * dot( slope, skin.soft ) ) * lib_pore_depth( millimetres ) * ( inner - 1.0 );
+  skin.soft = tilted( skin.soft, slope * PORES_SOFT );
+  skin.bumpy = tilted( skin.bumpy, slope );
+  skin.albedo *= 1.0 + PORES_DARKEN * fine.x;
+  skin.strength *= 1.0 + PORES_DULL * min( fine.x, 1.0 );
+}
+void crease( inout Skin skin, vec3 normal ) {
+  vec3 slope = vec3( 0.0 );
+  float deep = 0.0, blur = lib_covered_skin( millimetres, dot( normal, skin.view ) );
+  ${each((slot) => `fold( slope, deep, raised[ ${slot} ], regions[ ${slot} ], fold${slot}, blur );`)}
+  slope = headTurn * slope;
+  slope -= normal * dot( slope, normal );
+  deep = min( deep, 1.0 );
+  skin.soft = lib_bent( skin.soft, slope, FLESH );
+  skin.bumpy = lib_bent( skin.bumpy, slope, 1.0 );
+  skin.free *= 1.0 - FOLD_SHADES * deep;
+  skin.strength *= 1.0 - FOLD_DULLS * deep;
+  skin.albedo *= lib_fold_colour( deep );
+}
+vec3 worn( vec3 normal, vec3 view, float key ) {
+  if ( within.x < COLLAR ) normal = lib_rolled( normal, within.x );
+  float light = lib_knitted( grain( resting, STITCHES ).x, resting, within.x );
+  return litCloth( cloth * light, normal, view, lampReach, surfaced.x, key );
+}
+void main() {
+  vec3 normal = normalize( facing ), view = towards( place );
+  float key = within.z;
+  if ( key > ${EVEN} && key < ${1 - EVEN} ) key = keyShare( place );
+  float covered = smoothstep( - millimetres, millimetres, within.x );
+  vec3 light = vec3( 0.0 );
+  if ( covered < 1.0 ) {
+    Skin skin = smoothSkin( tinted, surfaced, lampReach, within.x, normal, view );
+    roughen( skin, within.y );
+    if ( any( greaterThan( raised, vec4( FAINT ) ) ) ) crease( skin, normal );
+    light = litSkin( skin, key * mix( 1.0, skin.free, within.y ) );
+  }
+  if ( covered > 0.0 ) light = mix( light, worn( normal, view, key ), covered );
+  gl_FragColor = vec4( light, 1.0 );
+  #include <tonemapping_fragment>
+  #include <colorspace_fragment>
+}`;
+
+const QUICK = `
+varying vec3 bare;
+varying vec3 dressed;
+varying float hem;
+`;
+
+// While it moves and no graphics card draws: lit at the vertices, of which there are few then.
+/** @param {StageTable} packing */
+const quickVertex = (packing) => `
+#include <common>
+${DEVELOPED}
+${lighting(packing)}
+${KNOWN}${SMOOTH}${QUICK}
+void main() {
+  hem = worn.x;
+  vec3 view = towards( position );
+  float key = keyShare( position );
+  Skin skin = smoothSkin( perfused(), surface, reach, hem, normal, view );
+  bare = developed( litSkin( skin, key * mix( 1.0, skin.free, worn.y ) ) );
+  dressed = developed( litCloth( cloth, normal, view, reach, surface.x, key ) );
+  gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+}`;
+
+/** @param {StageTable} packing */
+const quickPixel = ({ shading }) => `
+${shading.formulas}
+${QUICK}
+void main() {
+  float width = clamp( fwidth( hem ), 0.15, 3.0 );
+  gl_FragColor = vec4( hem > - width ? mix( bare, dressed * lib_collar_shade( hem ), smoothstep( - width, width, hem ) ) : bare, 1.0 );
+}`;
 
 /**
- * @param {number[]} cloth its linear colour @param {StageBlood} blood what it absorbs
- * @returns {THREE.Material} whose `userData` has the colour of its `neck`, and as `quick` the material for motion;
- *   `lipsGain` is how much blood the lips gain
+ * @param {StageTable} packing how the head is drawn @param {Record<string, {value: any}>} light what `lighting` reads
+ * @returns {THREE.ShaderMaterial} whose uniforms are shared with `userData.quick`, the material for motion
  */
-export function skinMaterial(cloth, blood) {
-  const material = new THREE.MeshLambertMaterial({ vertexColors: true });
-  const neck = { value: new THREE.Color() };
-  const lipsGain = { value: 0 };
-  const [skinAbsorbs, lipsAbsorb] = [blood.skin, blood.lips].map((absorbs) => ({ value: new THREE.Vector3(...absorbs) }));
-  const uniforms = { neck, cloth: { value: new THREE.Color().fromArray(cloth) }, skinAbsorbs, lipsAbsorb, lipsGain };
-  Object.assign(material.userData, { neck, lipsGain });
-  patch(material, SKIN, uniforms);
-  material.userData.quick = quickened(material, SKIN, QUICK, uniforms);
+export function skinMaterial(packing, light) {
+  const { cloth, blood, folds } = packing;
+  const uniforms = {
+    ...light,
+    cloth: { value: new THREE.Vector3(...cloth) },
+    neck: { value: new THREE.Color() },
+    skinAbsorbs: { value: new THREE.Vector3(...blood.skin) },
+    lipsAbsorb: { value: new THREE.Vector3(...blood.lips) },
+    lipsGain: { value: 0 },
+    millimetres: { value: 0.3 },
+    foldStyles: { value: folds.styles.map((style) => new THREE.Vector4(...style)) },
+  };
+  const shared = { uniforms, vertexColors: true };
+  const material = new THREE.ShaderMaterial({ ...shared, vertexShader: vertex(packing), fragmentShader: pixel(packing) });
+  material.userData.quick = new THREE.ShaderMaterial({
+    ...shared,
+    vertexShader: quickVertex(packing),
+    fragmentShader: quickPixel(packing),
+    toneMapped: false,
+  });
   return material;
 }
 
+/** @param {(slot: number) => string} line */
+function each(line) {
+  return Array.from({ length: SLOTS }, (_, slot) => line(slot)).join("\n  ");
+}

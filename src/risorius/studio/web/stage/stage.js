@@ -11,7 +11,7 @@ import { Baked } from "./baked.js";
 import { View } from "./cameras.js";
 import { drawn } from "./fence.js";
 import { Fine } from "./fine.js";
-import { lightsOf, mirrored } from "./lights.js";
+import { lightsOf } from "./lights.js";
 import { Overlay } from "./overlay.js";
 import { Sharpness } from "./sharpness.js";
 import { drawnBySoftware } from "./software.js";
@@ -28,8 +28,7 @@ export class Stage {
   #sharpness;
   /** @type {Backdrop | null} */
   #backdrop = null;
-  /** @type {import("three").Texture | null} */
-  #mirrored = null;
+  #lit = false;
   #asked = false;
   #drawing = false;
   #drawn = 0;
@@ -76,15 +75,12 @@ export class Stage {
   }
 
   /**
-   * Light the stage, the first time; return what eyes mirror of it.
+   * Light the stage, the first time.
    * @param {import("../wire.js").StageLight} light as the server describes it
    */
   lit(light) {
-    if (this.#mirrored === null) {
-      this.#scene.add(...lightsOf(light));
-      this.#mirrored = mirrored(this.#renderer, light);
-    }
-    return this.#mirrored;
+    if (!this.#lit) this.#scene.add(...lightsOf(light));
+    this.#lit = true;
   }
 
   /** Take up the page's colours. */
@@ -228,7 +224,7 @@ export class Stage {
     renderer.setScissorTest(true);
     this.#figures.forEach((shown, place) => {
       for (const figure of this.#figures) figure.group.visible = figure === shown;
-      shown.ready(this.#sharpness.fine, this.view.camera, height * this.#renderer.getPixelRatio());
+      shown.ready(this.#sharpness.fine, this.view.camera, height * renderer.getPixelRatio(), renderer);
       renderer.setViewport(place * each, 0, each, height);
       this.#backdrop?.paint(renderer, place * each, each, height, (x, y, w, h) => renderer.setScissor(x, y, w, h));
       renderer.setScissor(place * each, 0, each, height);

@@ -1,0 +1,126 @@
+"""The library's own formulas, constants and tables of skin for a page that shades it."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+
+from ..looks.anatomy import Anatomy
+from ..looks.attributes import MAX_CURVATURE
+from ..looks.eyeball import IRIS
+from ..looks.garment import COLLAR
+from ..looks.noise import SIZE as CELLS
+from ..looks.noise import noise_tile
+from ..render import creases, shadow, subsurface
+from ..render.brdf import gloss, mirrored, schlick
+from ..render.lights import STUDIO
+from ..render.materials import cloth, eye, folds, lit, skin, skin_lamps
+from .glsl import glsl_of
+from .stage_table import StageShading, StageShadow
+
+_FUNCTIONS = (
+    schlick,
+    mirrored,
+    gloss,
+    lit.ambient_on,
+    lit.warm_edge,
+    subsurface.angle_place,
+    subsurface.curvature_place,
+    skin.pore_depth,
+    skin.collar_free,
+    skin.fold_colour,
+    skin_lamps.edge_share,
+    folds.covered_skin,
+    folds.darkened,
+    folds.bent,
+    folds.ridge,
+    folds.overhang,
+    folds.pit,
+    cloth.collar_shade,
+    cloth.cloth_share,
+    cloth.sheen,
+    cloth.knitted,
+    cloth.rolled,
+    eye.iris_share,
+    eye.pupil_edge,
+    eye.lid_shade,
+    eye.white_of_eye,
+    eye.white_share,
+    eye.refracted,
+    eye.on_iris,
+    eye.gathered,
+    eye.mirror_share,
+    eye.tear_glint,
+    eye.caruncle_glint,
+    eye.window,
+)
+_CONSTANTS = {
+    "ANGLES": subsurface.ANGLES,
+    "CURVATURES": subsurface.CURVATURES,
+    "MAX_CURVATURE": MAX_CURVATURE,
+    "FACING": skin_lamps.FACING,
+    "SHARP": skin_lamps.SHARP,
+    "BROAD": skin_lamps.BROAD,
+    "FRONT": skin_lamps.FRONT,
+    "GRAZED": skin_lamps.GRAZED,
+    "PORES": skin.PORES,
+    "PORES_DARKEN": skin.PORES_DARKEN,
+    "PORES_DULL": skin.PORES_DULL,
+    "PORES_SOFT": skin_lamps.PORES_SOFT,
+    "FLESH": skin.FLESH,
+    "FOLD_SHADES": skin.FOLD_SHADES,
+    "FOLD_DULLS": skin.FOLD_DULLS,
+    "FAINT": creases.FAINT,
+    "FOLD": creases.FOLD,
+    "DIMPLES": creases.DIMPLES,
+    "PIT_CELLS": folds.PIT_CELLS,
+    "TAPS": shadow.REACH,
+    "RAMP": shadow.RAMP,
+    "COLLAR": COLLAR,
+    "THREAD": cloth.THREAD,
+    "STITCHES": cloth.STITCHES,
+    "IRIS": IRIS,
+    "PUPIL": STUDIO.pupil,
+    "CORNEA": eye.CORNEA,
+    "VEINS": eye.VEINS,
+    "WHITE_AROUND": eye.WHITE_AROUND,
+    "IRIS_AROUND": eye.IRIS_AROUND,
+    "WET": eye.WET,
+    "KEY_WINDOW": eye.KEY_WINDOW,
+    "FILL_WINDOW": eye.FILL_WINDOW,
+    "KEY_BRIGHT": eye.KEY_BRIGHT,
+    "FILL_BRIGHT": eye.FILL_BRIGHT,
+}
+_HIGHEST = 5.0  # of the grain's heights, whose variance is 1: 127 steps
+
+
+def shading() -> StageShading:
+    """Return what a page shades skin by."""
+    sizes = CELLS, subsurface.ANGLES, subsurface.CURVATURES
+    return StageShading(glsl_of(_FUNCTIONS, _CONSTANTS), *sizes, _HIGHEST)
+
+
+def key_shadow(anatomy: Anatomy) -> StageShadow:
+    """Return how a page draws the key lamp's shadow map of a head."""
+    centre, radius = anatomy.sphere()
+    matrix = shadow.light_matrix(np.array(STUDIO.lamps[0].direction()), centre, radius, shadow.SIZE)
+    return StageShadow(
+        matrix=tuple(matrix.astype(float).ravel().tolist()),
+        size=shadow.SIZE,
+        depth=2.0 * radius + 2.0,
+        bias=shadow.bias_of(radius, shadow.SIZE),
+    )
+
+
+@lru_cache(maxsize=1)
+def skin_tables() -> bytes:
+    """Return the heights of the grain and the light that leaves skin.
+
+    First uint8 (CELLS, CELLS, CELLS): 128 for 0, 127 more for the highest. Then float16
+    (ANGLES, CURVATURES, 4), little-endian, whose fourth column is 1.
+    """
+    grain = np.round(128.0 + noise_tile() * (127.0 / _HIGHEST)).clip(1, 255).astype(np.uint8)
+    table = subsurface.diffuse_table()
+    leaving = np.concatenate([table, np.ones_like(table[..., :1])], axis=2)
+    return grain.tobytes() + leaving.astype("<f2").tobytes()

@@ -1,0 +1,51 @@
+/** Where the fine wrinkles of a head lie, and how high they are in a face (`head_folds.py`). */
+
+import * as THREE from "../vendor/three/three.module.min.js";
+
+const SLOTS = 4;
+
+/**
+ * @param {ArrayBuffer} places as the server packs them
+ * @param {number} count of a face's heights @param {number} vertices of the skin
+ */
+export function unpackFolds(places, count, vertices) {
+  const entries = SLOTS * vertices;
+  return {
+    targets: new Uint32Array(places, 0, count),
+    regions: new Uint8Array(places, 4 * count, entries),
+    places: new Uint16Array(places, 4 * count + entries, SLOTS * entries),
+  };
+}
+
+export class Folds {
+  #targets;
+  #heights;
+
+  /**
+   * @param {THREE.BufferGeometry} geometry the skin's, which gets what its shader needs
+   * @param {ArrayBuffer} places @param {number} count of a face's heights
+   */
+  constructor(geometry, places, count) {
+    const vertices = geometry.attributes.position.count;
+    const folds = unpackFolds(places, count, vertices);
+    this.#targets = folds.targets;
+    this.#heights = new THREE.BufferAttribute(new Uint8Array(SLOTS * vertices), SLOTS).setUsage(THREE.DynamicDrawUsage);
+    geometry.setAttribute("foldHeight", this.#heights);
+    geometry.setAttribute("foldRegion", new THREE.BufferAttribute(folds.regions, SLOTS));
+    for (let slot = 0; slot < SLOTS; slot++) {
+      const own = new Uint16Array(4 * vertices);
+      for (let vertex = 0; vertex < vertices; vertex++) {
+        const from = 4 * (SLOTS * vertex + slot);
+        own.set(folds.places.subarray(from, from + 4), 4 * vertex);
+      }
+      geometry.setAttribute(`foldPlace${slot}`, new THREE.Float16BufferAttribute(own, 4));
+    }
+  }
+
+  /** Raise them to between two faces'. @param {ArrayLike<number>} a @param {ArrayLike<number>} b @param {number} share */
+  raise(a, b, share) {
+    const heights = /** @type {Uint8Array} */ (this.#heights.array);
+    this.#targets.forEach((target, k) => (heights[target] = a[k] + share * (b[k] - a[k]) + 0.5));
+    this.#heights.needsUpdate = true;
+  }
+}
