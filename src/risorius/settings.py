@@ -207,8 +207,9 @@ class Settings(metaclass=Named):
         "Language", None, "Language of the text or of the recording: de, fr, cmn …",
         metavar="CODE", names="speech.engines.voices:languages", find=BY_VOICE, unset="the voice's")
     voice: str | None = _voice(
-        "Voice", None, "A voice ('risorius list voices'), a Piper model (.onnx) or a program of yours.",
-        names="speech.engines.voices:speaking", find=BY_VOICE, unset="the language's first; else en-us")
+        "Voice", None, "A voice ('risorius list voices'), a Piper model (.onnx) or a program of yours; "
+        "without a language, en-us unless you choose.",
+        names="speech.engines.voices:speaking", find=BY_VOICE, unset="the language's first")
     rate: int | None = _voice(
         "Words per minute", None, "Words per minute, 80 to 440.",
         metavar="WPM", low=80, high=440, step=5, unset="the voice's own")

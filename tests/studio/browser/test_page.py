@@ -19,6 +19,19 @@ OUTSIDE = """[...document.querySelectorAll('#studio > *')].filter((it) => {
   return left < -1 || top < -1 || right > innerWidth + 1 || bottom > innerHeight + 1;
 }).map((it) => it.id || it.tagName)"""
 
+# Lists whose chosen text is wider than the room beside their arrow.
+CUT = """[...document.querySelectorAll('select')].filter((it) => it.checkVisibility()).map((it) => {
+  const { font, paddingLeft, paddingRight } = getComputedStyle(it);
+  const line = Object.assign(document.createElement('canvas').getContext('2d'), { font });
+  const text = it.selectedOptions[0]?.textContent ?? '';
+  const room = it.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight) - 16;
+  return [text, room - line.measureText(text).width];
+}).filter(([, room]) => room < 0)"""
+SMALL = """[...document.querySelectorAll('.tl-name button:not(.tl-lane-name, .tl-state)')].filter((it) => {
+  const { width, height } = it.getBoundingClientRect();
+  return width < 32 || height < 32;
+}).map((it) => it.title)"""
+
 
 @pytest.mark.full
 def test_light_and_dark(page: Page) -> None:
@@ -89,6 +102,8 @@ def test_everything_has_a_name_and_stays_on_the_page(performed: Page) -> None:
         performed.driver.find_element(By.XPATH, f"//*[@role='tab'][text()='{name}']").click()
         assert performed.get(NAMELESS) == []
         assert performed.get(OUTSIDE) == []
+        assert performed.get(CUT) == []
+    assert performed.get(SMALL) == []
 
 
 @pytest.mark.full
