@@ -14,14 +14,22 @@ from .driving import CHROMIUM, DRIVER, Page, open_browser
 PERFORMED = "performed"
 
 
+@pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Leave the browser's tests out if it is missing, and put those first that share the line performed."""
+    here = [place for place, item in enumerate(items) if Path(__file__).parent in item.path.parents]
+    browsed = sorted((items[place] for place in here), key=_opens_own_page)
+    for place, item in zip(here, browsed, strict=True):
+        items[place] = item
     if CHROMIUM.exists() and DRIVER.exists():
         return
     reason = "chromium and chromium-driver are not here: scripts/test --browser installs them"
-    here = Path(__file__).parent
-    for item in items:
-        if here in item.path.parents:
-            item.add_marker(pytest.mark.skip(reason=reason))
+    for item in browsed:
+        item.add_marker(pytest.mark.skip(reason=reason))
+
+
+def _opens_own_page(item: pytest.Item) -> bool:
+    return "performed" not in getattr(item, "fixturenames", ())
 
 
 @pytest.fixture(scope="session")

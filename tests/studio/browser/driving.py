@@ -30,6 +30,14 @@ _FLAGS = (
     "--use-fake-ui-for-media-stream",
 )
 
+STILLS = """
+const { Still } = await import("/web/stage/still.js");
+const { prototype } = Still;
+window.makeStill ??= prototype.make;
+prototype.make = arguments[0] ? window.makeStill : async () => false;
+if (arguments[0]) studio.headPlayers.stage.invalidate();
+"""
+
 
 def open_browser(profile: Path) -> Chrome:
     """Return a browser with a profile of its own, its page 1280 by 720."""
@@ -60,6 +68,11 @@ class Page:
         self.wait("window.studio?.store.get('catalogue') && window.studio.store.get('link') === 'up'")
         # Pictures made while the page is idle would take the time of the tests after it.
         self.run("const { baked } = studio.headPlayers.stage; if (baked) baked.on = false")
+        self.make_stills(False)
+
+    def make_stills(self, on: bool) -> None:
+        """Let the page make fine pictures of the head at rest, or not: they take the time of other tests."""
+        self.run(STILLS, on)
 
     def run(self, body: str, *given: Any) -> Any:
         """Return what an asynchronous function with this body returns; `given` are its `arguments`."""

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
+import pytest
+
 from .driving import Page
 
 LAST = 4  # frames of the line that are made
@@ -11,7 +15,15 @@ PIXELS = """const canvas = document.querySelector('canvas.still');
   const pixels = data.filter((_, k) => k % 31 === 0);"""
 
 
-def test_the_line_plays_as_the_head_at_rest_looks(performed: Page) -> None:
+@pytest.fixture
+def resting(performed: Page) -> Iterator[Page]:
+    performed.make_stills(True)
+    yield performed
+    performed.make_stills(False)
+
+
+def test_the_line_plays_as_the_head_at_rest_looks(resting: Page) -> None:
+    performed = resting
     performed.run(f"{START} studio.clock.seek(first / studio.clock.fps)", LAST)
     performed.wait("!document.querySelector('canvas.still').hidden")
     performed.run(f"{PIXELS} window.atRest = pixels")
