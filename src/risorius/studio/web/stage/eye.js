@@ -47,7 +47,7 @@ void main() {
   vec2 corners = max( vec2( inHead.x - span.x, span.y - inHead.x ), 0.0 );
   if ( side < 0.0 ) corners = corners.yx;
   float shade = lib_lid_shade( below, above, corners.x, corners.y );
-  float shadow = keyShare( place ) * shade;
+  float shadow = keyShare( place, 1 ) * shade;
   float irisShare = lib_iris_share( local );
   vec3 white = lib_white_of_eye( grain( local * radius, VEINS ).x, above, corners.x, corners.y );
   vec3 facing = normalize( mix( outward, eyeAxes * normalize( vec3( local.xy, local.z - CORNEA ) ), irisShare ) );

@@ -68,7 +68,7 @@ void main() {
   facing = normal;
   lampReach = reach;
   surfaced = surface;
-  within = vec3( worn, keyShare( position ) );
+  within = vec3( worn, keyShare( position, 1 ) );
   resting = rest;
   raised = foldHeight * ${packing.folds.step};
   regions = foldRegion;
@@ -136,7 +136,7 @@ vec3 worn( vec3 normal, vec3 view, float key ) {
 void main() {
   vec3 normal = normalize( facing ), view = towards( place );
   float key = within.z;
-  if ( key > ${EVEN} && key < ${1 - EVEN} ) key = keyShare( place );
+  if ( key > ${EVEN} && key < ${1 - EVEN} ) key = keyShare( place, 1 );
   float covered = smoothstep( - millimetres, millimetres, within.x );
   vec3 light = vec3( 0.0 );
   if ( covered < 1.0 ) {
@@ -167,7 +167,7 @@ ${KNOWN}${SMOOTH}${QUICK}
 void main() {
   hem = worn.x;
   vec3 view = towards( position );
-  float key = keyShare( position );
+  float key = keyShare( position, 2 );
   Skin skin = smoothSkin( perfused(), surface, reach, hem, normal, view );
   bare = developed( litSkin( skin, key * mix( 1.0, skin.free, worn.y ) ) );
   dressed = developed( litCloth( cloth, normal, view, reach, surface.x, key ) );
