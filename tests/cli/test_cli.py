@@ -218,7 +218,7 @@ def test_help_loads_nothing_heavy() -> None:
     assert not {"numpy", "numba", "scipy", "av", "rich", "PIL"} & set(done.stderr.split())
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", [signal.SIGINT, pytest.param(signal.SIGTERM, marks=pytest.mark.full)])
 def test_an_interrupt_leaves_nothing(number: signal.Signals, folder: Path) -> None:
     command = [
         sys.executable,

@@ -22,24 +22,19 @@ FACE = {
 
 
 @pytest.mark.parametrize(
-    ("output", "unneeded"),
+    ("outputs", "unneeded"),
     [
-        ("x.TextGrid", SIGNALS | FACE),
-        ("x.muscles.csv", SIGNALS | FACE),
-        pytest.param("x.png", SIGNALS, marks=pytest.mark.full),
+        (["x.TextGrid", "x.muscles.csv"], SIGNALS | FACE),
+        pytest.param(["x.png"], SIGNALS, marks=pytest.mark.full),
     ],
+    ids=["speech and curves", "picture"],
 )
-def test_an_output_loads_only_what_it_needs(output: str, unneeded: set[str], tmp_path: Path) -> None:
-    arguments = [
-        "speak",
-        "Hi.",
-        "-o",
-        output,
-        *(["--size", "32x32", "--at", "0"] if output == "x.png" else []),
-    ]
+def test_outputs_load_only_what_they_need(outputs: list[str], unneeded: set[str], tmp_path: Path) -> None:
+    picture = ["--size", "32x32", "--at", "0"] if "x.png" in outputs else []
+    arguments = ["speak", "Hi.", *picture, *(part for output in outputs for part in ("-o", output))]
     code = f"import sys; from risorius.cli import run; assert run({arguments}) == 0; print(*sys.modules)"
     ended = subprocess.run(
         [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True
     )
-    assert (tmp_path / output).exists()
+    assert all((tmp_path / output).exists() for output in outputs)
     assert not unneeded & set(ended.stdout.split())
