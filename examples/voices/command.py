@@ -25,5 +25,12 @@ with tempfile.TemporaryDirectory() as folder:
     words = [
         part.replace("{file}", str(file)).replace("{text}", request["text"]) for part in shlex.split(command)
     ]
-    subprocess.run(words, input=request["text"].encode(), stdout=sys.stderr, check=True)
+    try:
+        subprocess.run(words, input=request["text"].encode(), stdout=sys.stderr, check=True)
+    except OSError as error:
+        sys.exit(f"VOICE_COMMAND: {words[0]} cannot be started: {error.strerror}")
+    except subprocess.CalledProcessError as error:
+        sys.exit(f"VOICE_COMMAND: {words[0]} failed with exit code {error.returncode}")
+    if not file.is_file():
+        sys.exit(f"VOICE_COMMAND: {words[0]} wrote no sound to {{file}}")
     sys.stdout.buffer.write(file.read_bytes())

@@ -26,11 +26,13 @@ body = {
 headers = {"Content-Type": "application/json"}
 if key := os.environ.get("VOICE_KEY"):
     headers["Authorization"] = f"Bearer {key}"
-question = urllib.request.Request(url, json.dumps(body).encode(), headers)
 try:
+    question = urllib.request.Request(url, json.dumps(body).encode(), headers)
     with urllib.request.urlopen(question, timeout=50) as answer:
         sys.stdout.buffer.write(answer.read())
 except urllib.error.HTTPError as error:
-    sys.exit(f"{url} answered {error.code}: {error.read(200).decode(errors='replace')}")
-except OSError as error:
+    words = error.read(200)
+    said = words.decode(errors="replace") if words.isascii() else error.reason
+    sys.exit(f"{url} answered {error.code}: {said}")
+except (OSError, ValueError) as error:
     sys.exit(f"{url} cannot be reached: {error}")

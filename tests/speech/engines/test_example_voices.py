@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import io
 import json
+import os
+import subprocess
 import sys
 import threading
 from collections.abc import Iterator
@@ -74,6 +76,25 @@ def test_a_service_that_fails_is_told(service: type[Service]) -> None:
     service.answer = b""
     with pytest.raises(SpeechError, match=r"/speech answered 503: no voice today"):
         synthesize(TEXT, voice=str(EXAMPLES / "service.py"))
+
+
+@pytest.mark.parametrize(
+    ("command", "line"),
+    [
+        ("no-such-command {file}", "no-such-command cannot be started: No such file or directory"),
+        ("false {file}", "false failed with exit code 1"),
+        ("true {file}", "true wrote no sound to {file}"),
+    ],
+)
+def test_a_command_that_fails_is_told(command: str, line: str) -> None:
+    done = subprocess.run(
+        [sys.executable, str(EXAMPLES / "command.py")],
+        input=json.dumps({"text": "Hi."}),
+        env={**os.environ, "VOICE_COMMAND": command},
+        capture_output=True,
+        text=True,
+    )
+    assert (done.returncode, done.stderr) == (1, f"VOICE_COMMAND: {line}\n")
 
 
 def test_a_command_speaks(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
