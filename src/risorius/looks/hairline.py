@@ -64,4 +64,9 @@ def _density(anatomy: Anatomy, surface: Surface) -> Array:
     within = inside_hairline(anatomy, surface.points)
     band = smoothstep(-1.5, 6.0, within) ** 1.5 * (1.0 - smoothstep(6.0, 13.0, within))
     front = smoothstep(-60.0 * anatomy.unit, -30.0 * anatomy.unit, surface.points[:, 2])
-    return band * front * (1.0 - smoothstep(0.05, 0.3, anatomy.masks["ears"]))
+    # At the corners over the temples hair lies along the edge, where single hairs would look like dashes.
+    u, height = anatomy.unit, surface.points[:, 1] - anatomy.eye_height
+    corner = smoothstep(18.0 * u, 36.0 * u, np.abs(surface.points[:, 0])) * smoothstep(
+        38.0 * u, 50.0 * u, height
+    )
+    return band * front * (1.0 - smoothstep(0.05, 0.3, anatomy.masks["ears"])) * (1.0 - 0.7 * corner)
