@@ -28,8 +28,8 @@ if MARKED or not mark.exists():
 """
 HANGS = """
 import os, time
-parent = os.getppid()
-while os.getppid() == parent:
+parent, end = os.getppid(), time.monotonic() + 20.0  # the parent may be gone before this begins
+while os.getppid() == parent and time.monotonic() < end:
     time.sleep(0.05)
 """
 
