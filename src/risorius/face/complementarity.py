@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..core.arrays import Array, Int32Array, IntArray, UInt32Array
+from ..core.arrays import Array, IntArray
 from ..core.kernels.jit import kernel, summing_kernel
 
 # A little softness in the diagonal keeps redundant gaps (neighbours on a stiff lip) from opposing each other.
@@ -28,14 +28,8 @@ class Gaps(NamedTuple):
 
 
 class Workspace(NamedTuple):
-    """Scratch arrays for up to k gaps over n points.
+    """Scratch arrays for up to k gaps over n points: `moved` (n,), `matrix` (k, k), the others (k,)."""
 
-    `place` (n,), `points` (n,) and `moved` (n,) are for the points that gaps are at; `matrix` (k, k), the
-    others (k,).
-    """
-
-    place: Int32Array
-    points: UInt32Array
     moved: Array
     matrix: Array
     push: Array
@@ -44,8 +38,7 @@ class Workspace(NamedTuple):
     @classmethod
     def allocate(cls, gaps: int, points: int) -> Workspace:
         """Allocate."""
-        place, used = np.full(points, -1, np.int32), np.zeros(points, np.uint32)
-        return cls(place, used, np.zeros(points), np.zeros((gaps, gaps)), np.zeros(gaps), np.zeros(gaps))
+        return cls(np.zeros(points), np.zeros((gaps, gaps)), np.zeros(gaps), np.zeros(gaps))
 
 
 def solve_gaps(gaps: Gaps, compliance: Array, sweeps: int, work: Workspace, force: Array) -> None:
@@ -54,47 +47,27 @@ def solve_gaps(gaps: Gaps, compliance: Array, sweeps: int, work: Workspace, forc
     `compliance` (n, n) is the displacement of each point per unit push at each point. A gap that lies within
     its bounds without a push gets none (complementarity).
     """
-    _couple(gaps.points, gaps.weight, compliance, work.place, work.points, work.moved, work.matrix)
+    _couple(gaps.points, gaps.weight, compliance, work.moved, work.matrix)
     _balance(gaps.gap, gaps.low, gaps.high, sweeps, work.matrix, work.push, work.here)
     _apply(gaps.points, gaps.weight, work.push, force)
 
 
 @summing_kernel
-def _couple(
-    points: IntArray,
-    weight: Array,
-    compliance: Array,
-    place: Int32Array,
-    used: UInt32Array,
-    moved: Array,
-    matrix: Array,
-) -> None:
-    """Write the opening of each gap per unit push at each other one to `matrix`, which is symmetric.
-
-    Only the points that gaps are at are looked at, a fifth of all: each has a `place` among those `used`.
-    """
-    count = 0
-    for i in range(len(points)):
-        for k in range(4):
-            if place[points[i, k]] < 0:
-                place[points[i, k]], used[count] = count, points[i, k]
-                count += 1
+def _couple(points: IntArray, weight: Array, compliance: Array, moved: Array, matrix: Array) -> None:
+    """Write the opening of each gap per unit push at each other one to `matrix`, which is symmetric."""
     for i in range(len(points)):
         p, q, r, s = points[i, 0], points[i, 1], points[i, 2], points[i, 3]
         a, b, c, d = weight[i, 0], weight[i, 1], weight[i, 2], weight[i, 3]
-        for m in range(count):
-            j = used[m]
-            moved[m] = (
+        for j in range(compliance.shape[0]):
+            moved[j] = (
                 a * compliance[p, j] + b * compliance[q, j] + c * compliance[r, j] + d * compliance[s, j]
             )
         for j in range(i + 1):
             total = 0.0
             for k in range(4):
-                total += weight[j, k] * moved[place[points[j, k]]]
+                total += weight[j, k] * moved[points[j, k]]
             matrix[i, j] = total
             matrix[j, i] = total
-    for m in range(count):
-        place[used[m]] = -1
 
 
 @summing_kernel

@@ -66,11 +66,11 @@ def carry(region: IntArray, motion: Array, moves: Array, sums: Array, skin: Arra
     """
     sums[:] = 0.0
     for s in range(len(moves)):
-        x, y, z = moves[s, 0], moves[s, 1], moves[s, 2]
-        for k in range(len(region)):
-            sums[0, k] += x * motion[s, k]
-            sums[1, k] += y * motion[s, k]
-            sums[2, k] += z * motion[s, k]
+        for c in range(3):
+            way = moves[s, c]
+            if way != 0.0:
+                for k in range(len(region)):
+                    sums[c, k] += way * motion[s, k]
     for k in range(len(region)):
         for c in range(3):
             skin[region[k], c] += sums[c, k]
