@@ -221,7 +221,7 @@ def test_a_closure_parts_before_its_release_is_heard_unless_it_is_short(utteranc
     assert short.start == pytest.approx(0.545, abs=1e-4)
 
 
-@pytest.mark.parametrize(("phone", "share"), [("P", 0.55), ("B", 0.75), ("M", 0.95)])
+@pytest.mark.parametrize(("phone", "share"), [("P", 0.5), ("B", 0.75), ("M", 0.95)])
 def test_a_closure_that_is_too_short_begins_earlier_and_ends_at_its_release(
     phone: str, share: float, utterance_of
 ) -> None:
@@ -229,6 +229,18 @@ def test_a_closure_that_is_too_short_begins_earlier_and_ends_at_its_release(
     segment = next(s for s in segments(utterance_of(f"AA {phone} AA", seconds=0.033)) if s.phone == phone)
     assert segment.end == pytest.approx(0.533 + share * 0.033, abs=1e-4)
     assert segment.start == pytest.approx(segment.end - 0.04)
+
+
+def test_p_is_aspirated_where_a_word_begins_and_in_english_alone(utterance_of) -> None:
+    """Closed for a half there, else for seven tenths; the lips part 10 ms before the release is heard."""
+
+    def closed(utterance: Utterance, phone: str) -> float:
+        shut = next(s for s in segments(utterance) if s.phone == phone)
+        return shut.end - shut.start + 0.01
+
+    assert closed(utterance_of("AA P AA", seconds=0.12), "P") == pytest.approx(0.06, abs=1e-3)
+    assert closed(one_word(utterance_of("AA P AA", seconds=0.12)), "P") == pytest.approx(0.084, abs=1e-3)
+    assert closed(utterance_of("a p a", seconds=0.12), "p") == pytest.approx(0.084, abs=1e-3)
 
 
 def test_the_burst_of_a_stop_belongs_to_the_phone_after_it(utterance_of) -> None:

@@ -15,7 +15,7 @@ from ..core.movement import Cause, LipSegment, silent_dominance
 from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
 from ..languages.phonesets import to_arpabet
 from ..rules.articulation import is_known, sounds
-from ..rules.lips import OPENING, LipTable, PhoneShape
+from ..rules.lips import OPENING, SEAL, LipTable, PhoneShape
 from .anticipation import TargetsHeld, anticipated, coming_vowels
 from .inputs import ChannelInputs, Context
 from .registry import register
@@ -26,7 +26,6 @@ SHORTEST_CLOSURE = 0.04
 # hardest soon after they meet, and may part at full speed before the release (Löfqvist 1996).
 PARTING = 0.01
 BREATH = "breath"
-SEAL = "lip_seal"
 CONTACTS = (SEAL, "lip_tuck")
 
 
@@ -106,7 +105,9 @@ class _Shaper:
         scale = self._opening(index, phone)
         shapes = self._sounds(phone.symbol)
         if index in self._onsets:
-            shapes = tuple((symbol, self.table.at_onset(shape), part) for symbol, shape, part in shapes)
+            shapes = tuple(
+                (symbol, self.table.at_onset(symbol, shape), part) for symbol, shape, part in shapes
+            )
         share = phone.duration / sum(part for _, _, part in shapes)
         start = phone.start
         for symbol, shape, part in shapes:

@@ -25,6 +25,7 @@ LIPS_FILE = "lips.toml"
 NAMED_TABLES = ("class", "phone", "diphthong", "onset", "manner")
 """The tables of the file whose entries have names."""
 OPENING = (JAW, APERTURE)
+SEAL = "lip_seal"
 
 
 @dataclass(frozen=True, slots=True)
@@ -161,8 +162,14 @@ class LipTable:
             raise InputError(f"the diphthong {symbol!r} has two shapes; expected {first!r} or {second!r}")
         raise InputError(unknown("phone", symbol, (*self.phones, *self.diphthongs)))
 
-    def at_onset(self, shape: PhoneShape) -> PhoneShape:
-        """Return the shape of a phone at the start of a word or of a stressed syllable."""
+    def at_onset(self, symbol: str, shape: PhoneShape) -> PhoneShape:
+        """Return the shape of a phone at the start of a word or of a stressed syllable.
+
+        A sound of another language with the lips of an English one has its allophone, too, but a stop:
+        whether it is aspirated depends on the language.
+        """
+        if symbol in self.onsets or SEAL in shape.targets:
+            return self.onsets.get(symbol, shape)
         return next((on for phone, on in self.onsets.items() if self.phones[phone] == shape), shape)
 
     def factors(self, manner: str, articulation: float) -> Mapping[str, float]:
