@@ -121,16 +121,16 @@ REACH = 0.9
 def test_lips_open_as_far_as_people_open_them(phone: str) -> None:
     """The target of a vowel that is wider than its neighbours lies as far beyond as it is missed."""
     least, most = HEIGHTS[phone]
-    ((_, shape, _),) = sounds(phone) if is_known(phone) else lip_table().shapes(phone)
+    *_, (_, shape, _) = sounds(phone) if is_known(phone) else lip_table().shapes(phone)
     reached = REACH if phone in SPREAD else 1.0
     assert least <= reached * shape.targets["lip_aperture"] <= most
 
 
 @pytest.mark.parametrize("phone", ["AE", "AA", "EH", "IH", "AH", "IY", "ER"])
 def test_a_vowel_of_100_ms_reaches_nine_tenths_of_its_target(phone: str, utterance_of) -> None:
-    target = lip_table().shape(phone).targets["lip_aperture"]
+    targets = [shape.targets["lip_aperture"] for _, shape, _ in lip_table().shapes(phone)]
     _, gap = said(unstressed(utterance_of(f"T {phone} T")), "lip_aperture")
-    assert REACH * target <= gap.max() <= 1.02 * target
+    assert REACH * min(targets) <= gap.max() <= 1.02 * max(targets)
 
 
 def test_the_jaw_has_the_order_that_people_have() -> None:
@@ -176,11 +176,13 @@ def test_a_vowel_begins_with_the_consonants_before_it(utterance_of) -> None:
 
 @pytest.mark.parametrize("phone", ["T", "S", "K", "L", "P", "HH"])
 def test_a_consonant_is_as_round_as_the_vowel_after_it(phone: str, utterance_of) -> None:
-    """In "two" and "Sue" the lips are round before the vowel sounds, after another vowel they are not yet."""
+    """In "two" and "Sue" the lips are as round as the vowel begins before it sounds, in /a/ they are not."""
+    utterance = utterance_of(f"AA {phone} UW")
+    vowel = next(s for s in segments(utterance) if s.phone == "UW").targets
     for name in ("lip_width", "lip_protrusion"):
-        times, ours = said(utterance_of(f"AA {phone} UW"), name)
-        before, middle, vowel = (np.interp(at, times, ours) for at in (0.55, 0.65, 0.75))
-        assert middle / vowel > 0.8 > 0.2 > before / vowel
+        times, ours = said(utterance, name)
+        before, middle = (np.interp(at, times, ours) for at in (0.55, 0.65))
+        assert middle / vowel[name] > 0.8 > 0.2 > before / vowel[name]
 
 
 def test_a_consonant_at_the_end_of_a_syllable_does_not_wait_for_the_next_vowel(utterance_of) -> None:
@@ -281,6 +283,17 @@ def test_diphthongs_have_two_shapes(utterance_of) -> None:
     first, second = (s for s in segments(utterance_of("T AY T")) if s.phone == "AY")
     assert first.end == second.start
     assert first.targets["jaw_drop"] > second.targets["jaw_drop"]
+
+
+def test_a_long_close_vowel_comes_to_its_end(utterance_of) -> None:
+    """ "Canoe" is narrowest, and roundest, at its end; the teeth of "knee" are nearest there."""
+    times, gap = said(utterance_of("N UW"), "lip_aperture")
+    _, protrusion = said(utterance_of("N UW"), "lip_protrusion")
+    _, jaw = said(utterance_of("N IY"), "jaw_drop")
+    begins, ends = (np.searchsorted(times, at) for at in (0.62, 0.68))
+    assert gap[begins] > gap[ends] + 1.0
+    assert protrusion[begins] < protrusion[ends] - 1.0
+    assert jaw[begins] > jaw[ends] + 0.5
 
 
 def breaths(utterance: Utterance) -> list[tuple[float, float]]:

