@@ -21,6 +21,7 @@ from lips_measures import COLUMNS, machine
 from timit import RATE
 
 from risorius import blend
+from risorius.channels.tempo import fullness_of_phones
 from risorius.core.movement import LipSegment
 from risorius.core.score import Score
 from risorius.core.utterance import Accent, Syllable, Utterance
@@ -73,7 +74,9 @@ def prosody() -> Iterator[Row]:
     plain = tuple(replace(s, prominence=0.0) for s in utterance.syllables)
     bare = replace(utterance, accents=(), pauses=(), syllables=plain)
     accent = Accent(utterance.syllables[number].start, utterance.syllables[number].word, number)
-    plain_jaw = lip_table().shape("AE").targets["jaw_drop"]
+    # The rate of the sentence opens its phones, too; beside that.
+    tempo = fullness_of_phones(bare, lip_table())[utterance.syllables[number].first_phone]
+    plain_jaw = lip_table().shape("AE").targets["jaw_drop"] * tempo
     for what, published, fact, said in (
         ("of a stressed vowel", "1.15", 6, bare),
         ("under focus", "1.33", 11, replace(bare, accents=(accent,))),

@@ -19,6 +19,7 @@ from ..rules.lips import OPENING, SEAL, LipTable, PhoneShape
 from .anticipation import TargetsHeld, anticipated, coming_vowels
 from .inputs import ChannelInputs, Context
 from .registry import register
+from .tempo import fullness_of_phones
 
 # A closure is never shorter than this many seconds, if its phone is not (DESIGN, section 3; facts: lips).
 SHORTEST_CLOSURE = 0.04
@@ -34,7 +35,7 @@ def lips(inputs: ChannelInputs, context: Context) -> Iterator[LipSegment]:
     if inputs.utterance is None:
         return
     table = inputs.rules.tables.lips()
-    shaper = _Shaper(table, inputs.utterance, table.factors(inputs.manner, inputs.articulation))
+    shaper = _Shaper(table, inputs.utterance, inputs.manner, inputs.articulation)
     released = inputs.utterance.duration
     for index, phone in enumerate(inputs.utterance.phones):
         if phone.symbol in table.silent:
@@ -54,15 +55,18 @@ class _Shaper:
 
     table: LipTable
     utterance: Utterance
-    factors: Mapping[str, float]
+    manner: str
+    articulation: float
 
     def __post_init__(self) -> None:
-        self._targets: dict[tuple[int, float], Mapping[str, float]] = {}
+        self._factors: dict[float, Mapping[str, float]] = {}
+        self._targets: dict[tuple[int, float, float], Mapping[str, float]] = {}
         self._shared: dict[tuple[object, ...], TargetsHeld] = {}
         self._vowels: dict[int, LipSegment] = {}
         self._onsets = _onsets(self.utterance)
         self._coming = coming_vowels(self.utterance, self._anticipates)
         self._final = _phrase_final_phones(self.utterance)
+        self._fullness = fullness_of_phones(self.utterance, self.table)
         accents = {accent.syllable for accent in self.utterance.accents}
         self._accented = {
             index
@@ -113,7 +117,8 @@ class _Shaper:
         for symbol, shape, part in shapes:
             end = start + part * share
             cause = Cause(sys.intern(f"lips.{symbol}"), self._trigger(phone))
-            yield self._segment(symbol, shape, *_held(start, end, shape), scale, cause)
+            times = _held(start, end, shape)
+            yield self._segment(symbol, shape, *times, cause, scale, self._fullness[index])
             start = end
 
     def _sounds(self, symbol: str) -> tuple[tuple[str, PhoneShape, float], ...]:
@@ -130,20 +135,27 @@ class _Shaper:
         cause = Cause("lips.rest", "pause")
         last = index + 1 == len(self.utterance.phones)
         if last or not pausing.allows_breath(phone.duration, begins_clip=index == 0):
-            yield self._segment(SILENCE, rest, phone.start, phone.end, 1.0, cause)
+            yield self._segment(SILENCE, rest, phone.start, phone.end, cause)
             return
         breath = max(phone.end - pausing.breath_lead, phone.start)
         if breath > phone.start:
-            yield self._segment(SILENCE, rest, phone.start, breath, 1.0, cause)
+            yield self._segment(SILENCE, rest, phone.start, breath, cause)
         inhale = PhoneShape(BREATH, pausing.breath_shape)
         end = phone.end - pausing.breath_end
-        yield self._segment(SILENCE, inhale, breath, end, 1.0, Cause("lips.breath", "in-breath"))
+        yield self._segment(SILENCE, inhale, breath, end, Cause("lips.breath", "in-breath"))
 
     def _segment(
-        self, symbol: str, shape: PhoneShape, start: float, end: float, scale: float, cause: Cause
+        self,
+        symbol: str,
+        shape: PhoneShape,
+        start: float,
+        end: float,
+        cause: Cause,
+        scale: float = 1.0,
+        fullness: float = 1.0,
     ) -> LipSegment:
         held = self.table.holdings[shape.lip_class]
-        targets = self._scaled_targets(shape, scale)
+        targets = self._scaled_targets(shape, scale, fullness)
         if symbol == SILENCE:
             silent = {name: silent_dominance(d, end - start) for name, d in held.dominance.items()}
             held = replace(held, dominance=FrozenDict(silent))
@@ -151,23 +163,26 @@ class _Shaper:
             symbol, start, end, targets, held.limits, held.dominance, cause, held.yields, held.precision
         )
 
-    def _scaled_targets(self, shape: PhoneShape, scale: float) -> Mapping[str, float]:
-        key = (id(shape.targets), round(scale, 6))
+    def _scaled_targets(self, shape: PhoneShape, scale: float, fullness: float) -> Mapping[str, float]:
+        key = (id(shape.targets), round(scale, 6), fullness)
         if key not in self._targets:
             opening = self.table.opening
             shares = opening.rounded if PROTRUSION in shape.targets else opening.unrounded
-            factors = {name: 1.0 + shares.get(name, 0.0) * (scale - 1.0) for name in shape.targets}
+            spoken = self._factors_of(fullness)
+            factors = {
+                name: spoken.get(name, 1.0) * (1.0 + shares.get(name, 0.0) * (scale - 1.0))
+                for name in shape.targets
+            }
             self._targets[key] = FrozenDict(
-                {name: self._scaled(name, value, factors[name]) for name, value in shape.targets.items()}
+                {name: _scaled(name, value, factors[name]) for name, value in shape.targets.items()}
             )
         return self._targets[key]
 
-    def _scaled(self, name: str, value: float, stressed: float) -> float:
-        """Return a target in this manner, times a factor; what is closed stays closed."""
-        if name in OPENING and value <= 0.0:
-            return value
-        factor = self.factors.get(name, 1.0) * stressed
-        return value if factor == 1.0 else within_range(name, value * factor)
+    def _factors_of(self, fullness: float) -> Mapping[str, float]:
+        """Return the factors on targets in this manner of speech, by how fully it is articulated."""
+        if fullness not in self._factors:
+            self._factors[fullness] = self.table.factors(self.manner, self.articulation * fullness)
+        return self._factors[fullness]
 
     def _opening(self, index: int, phone: Phone) -> float:
         opening = self.table.opening
@@ -183,6 +198,12 @@ class _Shaper:
         if phone.word < 0:
             return f"/{phone.symbol}/"
         return f'/{phone.symbol}/ of "{self.utterance.words[phone.word].text}"'
+
+
+def _scaled(name: str, value: float, factor: float) -> float:
+    """Return a target times a factor; what is closed stays closed."""
+    closed = name in OPENING and value <= 0.0
+    return value if closed or factor == 1.0 else within_range(name, value * factor)
 
 
 def _onsets(utterance: Utterance) -> frozenset[int]:

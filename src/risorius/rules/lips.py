@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -105,6 +106,29 @@ class Pausing:
 
 
 @dataclass(frozen=True, slots=True)
+class Tempo:
+    """How slower speech is articulated more fully: (usual/rate)**`share` times, between `least` and `most`.
+
+    `usual`: syllables a second; `faster`: how many times as many other languages have, by their codes.
+    `syllables`: a stretch of fewer has the usual rate, because its last syllable is long.
+    """
+
+    usual: Annotated[float, Range(1.0, 20.0)]
+    faster: Mapping[str, Annotated[float, Range(0.2, 5.0)]]
+    share: Share
+    least: Share
+    most: Annotated[float, Range(1.0, 2.0)]
+    syllables: Annotated[int, Range(1, 100)]
+
+    def fullness(self, syllables: int, seconds: float, language: str) -> float:
+        """Return the factor on the opening for so many syllables in so many seconds."""
+        if syllables < self.syllables:
+            return 1.0
+        usual = self.usual * self.faster.get(language.partition("-")[0], 1.0)
+        return min(max(math.pow(usual * seconds / syllables, self.share), self.least), self.most)
+
+
+@dataclass(frozen=True, slots=True)
 class LipManner:
     """A manner of speech: factors on targets by name."""
 
@@ -120,6 +144,7 @@ class _File:
     opening: Opening
     pausing: Pausing
     articulation: Mapping[str, Share]
+    tempo: Tempo
     manners: Mapping[str, LipManner] = field(metadata={"key": "manner"})
 
 
@@ -149,6 +174,7 @@ class LipTable:
     opening: Opening
     pausing: Pausing
     articulation: Mapping[str, float]
+    tempo: Tempo
     manners: Mapping[str, LipManner]
     silent: frozenset[str] = frozenset()
     rest: PhoneShape = field(default_factory=lambda: PhoneShape("silence", FrozenDict()))
@@ -227,6 +253,7 @@ def _compiled(raw: _File) -> LipTable:
         raw.opening,
         raw.pausing,
         raw.articulation,
+        raw.tempo,
         raw.manners,
     )
 

@@ -24,7 +24,7 @@ from .lips import LIPS_FILE, NAMED_TABLES, LipTable, lip_table_of, lip_table_tex
 from .modulation import is_under
 
 LIPS, EMOTIONS, LINKS = "lips", "emotions", "links"
-SINGLE = ("opening", "pausing", "articulation")
+SINGLE = ("opening", "pausing", "articulation", "tempo")
 _MUSCLES = [[base] for base in dict.fromkeys(m.base for m in MUSCLES)]
 _DELETABLE = ("phone", "diphthong", "onset")
 
