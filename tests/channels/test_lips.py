@@ -305,13 +305,24 @@ def breaths(utterance: Utterance) -> list[tuple[float, float]]:
 
 
 @pytest.mark.parametrize(
-    ("silence", "from_"), [(0.15, None), (0.2, 0.2), (0.3, 0.3), (0.45, 0.45), (2.0, 0.5)]
+    ("silence", "from_"),
+    [(0.15, None), (0.2, 0.2), (0.3, 0.3), (0.45, 0.35), (0.5, 0.35), (0.6, 0.45), (2.0, 0.5)],
 )
 def test_the_mouth_opens_wherever_there_is_silence_before_speech(
     silence: float, from_: float | None, utterance_of
 ) -> None:
     found = breaths(utterance_of("AA _ AA", lead=silence))
     assert found == ([] if from_ is None else [pytest.approx((from_, 0.135), abs=1e-3)])
+
+
+@pytest.mark.parametrize("lead", [0.5, 0.6, 1.0])
+def test_a_clip_begins_with_lips_at_rest_and_breathes_then(lead: float, utterance_of) -> None:
+    model = EffortModel(segments(utterance_of("AA", lead=lead)))
+    times = np.array([0.0, lead - 0.2])
+    targets = [SegmentValues(model.targets("lip_aperture"))]
+    gap = model.averages(model.group("lip_aperture"), targets, times)[0]
+    assert -1.0 < gap[0] < 0.1  # shut, or pressed a little
+    assert gap[1] > 4.0
 
 
 def test_the_breath_opens_lips_and_jaw_and_is_over_before_the_first_phone() -> None:

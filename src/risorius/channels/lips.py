@@ -138,6 +138,8 @@ class _Shaper:
             yield self._segment(SILENCE, rest, phone.start, phone.end, cause)
             return
         breath = max(phone.end - pausing.breath_lead, phone.start)
+        if index == 0:
+            breath = max(breath, min(phone.start + pausing.breath_clip, phone.end - pausing.breath_lips))
         if breath > phone.start:
             yield self._segment(SILENCE, rest, phone.start, breath, cause)
         inhale = PhoneShape(BREATH, pausing.breath_shape)

@@ -90,7 +90,8 @@ class Pausing:
     The in-breath: in a silence of `breath_from` or more before speech the mouth opens to `breath_shape`,
     from `breath_lead` before the speech (or from the start of the silence), and leaves it `breath_end`
     before. The silence that begins a clip is the end of a longer one: it may be as short as `breath_least`
-    more than `breath_end`.
+    more than `breath_end`. A clip begins with lips at rest for `breath_clip`, or as much of that as leaves
+    `breath_lips` from the breath's start to the speech.
     """
 
     shortest: Annotated[float, Range(0.0, 5.0)]
@@ -98,6 +99,8 @@ class Pausing:
     breath_lead: Annotated[float, Range(0.0, 5.0)]
     breath_end: Annotated[float, Range(0.0, 5.0)]
     breath_least: Annotated[float, Range(0.001, 5.0)]
+    breath_clip: Annotated[float, Range(0.0, 5.0)]
+    breath_lips: Annotated[float, Range(0.0, 5.0)]
     breath_shape: LipTargets
 
     def allows_breath(self, silence: float, begins_clip: bool) -> bool:
