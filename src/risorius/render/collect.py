@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from ..core.arrays import Float32Array, Int32Array
 from ..core.kernels.jit import f4, f8, fast_device, fast_inlined, index
-from ..core.kernels.vec import Vec, saturate
+from ..core.kernels.vec import Vec, at, dot, saturate
 from .inputs import Batch, PosedMesh, Screen
 from .raster import SUBPIXEL
 
 _SAME_DEPTH = f4(0.003)  # share of the distance within which samples of one surface count as connected
+_SAME_WAY = f4(0.5)  # least cosine between normals of connected samples: lips that touch are two surfaces
 
 
 @fast_device
@@ -76,13 +77,16 @@ def _gather(
     row, column = index(y * side + first // side), index(x * side + first % side)
     t, depth = screen.ids[row, column], screen.depth[row, column]
     surface, nearly = mesh.surfaces[index(t)], depth * _SAME_DEPTH
+    way = at(mesh.normals, mesh.triangles[index(t), 0])
     members, bit, count, sum_x, sum_y = 0, 1, 0, 0, 0
     for j in range(side):
         for i in range(side):
             row, column = index(y * side + j), index(x * side + i)
             other = screen.ids[row, column]
             near = abs(screen.depth[row, column] - depth) <= nearly
-            alike = (other == t) | (mesh.surfaces[index(max(other, 0))] == surface)
+            shown = index(max(other, 0))
+            level = dot(way, at(mesh.normals, mesh.triangles[shown, 0])) > _SAME_WAY
+            alike = (other == t) | ((mesh.surfaces[shown] == surface) & level)
             one = 1 if (waiting & bit != 0) & near & alike else 0
             members |= bit * one
             count, sum_x, sum_y = count + one, sum_x + i * one, sum_y + j * one
