@@ -143,6 +143,17 @@ def test_a_young_forehead_folds_where_frontalis_ends_in_it(young):
     assert 0.1 < tallest(young, {"AU1": 0.3, "AU2": 0.3})[INDEX["forehead"]] < 0.3
 
 
+def test_lifted_lips_fold_the_skin_beside_the_nose_though_the_cheek_rises_with_them(young):
+    assert tallest(young, {"AU6": 0.4, "AU9": 0.9, "AU10": 0.5})[INDEX["sneer"]] > 0.4
+    assert tallest(young, {"AU16": 1.0, "AU17": 1.0})[INDEX["sneer"]] == 0.0
+
+
+def test_a_lip_that_one_side_lifts_folds_that_side_alone(young, rest):
+    folds = young.solve(values_of({"AU10.left": 1.0})).wrinkles[:, INDEX["sneer"]]
+    assert folds[rest[:, 0] > 10.0].max() > 0.4
+    assert folds[rest[:, 0] < -10.0].max() < 0.05
+
+
 def test_stretched_skin_folds_no_more_and_opens_its_creases(old):
     still, stretched = tallest(old, {}), tallest(old, {"masseter": 1.0})
     # The lower end of the nasolabial fold is pushed by the corner of the mouth; the cheek narrows beside it.

@@ -129,6 +129,8 @@ class Fold:
     sides: tuple[float, float]
     ends: PlateauEdges
     compression: Vector
+    muscles: tuple[str, ...] = ()
+    gathers: Share = 0.0
 
     def chart(self, marks: Marks, places: Array) -> Chart:
         """Return the region on `places` (n, 3); its phase is 0 on the crease, 1 where the far side ends."""

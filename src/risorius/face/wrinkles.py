@@ -19,7 +19,7 @@ from .ageing import DEFAULT_AGE, SkinAge, skin_at
 from .bulges import Bulges
 from .compression import Compression
 from .head import Head
-from .layouts import Dimples
+from .layouts import Dimples, Fold
 from .marks import Marks
 from .regions import PlacedRegion, check_factors, place_regions
 from .relief import relief
@@ -50,7 +50,7 @@ class Wrinkles:
         self._mask = np.concatenate([p.zone.mask[p.zone.mask > 0.0] for p in placed])
         self._law = _law(placed, skin, factor, Marks.of(head).unit)
         self._stretch = np.empty(len(rows.row_vertex))
-        self._drawn_in = [_DrawnIn.of(p, z, rows.row_zone) for z, p in enumerate(placed) if _draws_in(p)]
+        self._drawn_in = [_DrawnIn.of(p, z, rows) for z, p in enumerate(placed) if _draws_in(p)]
         self._held = [
             _HeldFlat.of(p.region.sizes.muscle, z, rows)
             for z, p in enumerate(placed)
@@ -72,7 +72,7 @@ class Wrinkles:
         rows = self._compression
         rows.measure(skin, self._stretch)
         for drawn in self._drawn_in:
-            self._stretch[drawn.rows] = 1.0 - drawn.gathers * float(values[drawn.muscle].mean())
+            drawn.shorten(values, self._stretch)
         for held in self._held:
             held.flatten(values, self._stretch)
         _fold(
@@ -96,20 +96,36 @@ def _folding(head: Head) -> tuple[tuple[PlacedRegion, ...], Compression, Array]:
 
 
 class _DrawnIn(NamedTuple):
-    """Rows of the stretch that a muscle alone shortens, by the share `gathers`; `muscle`: its parameters."""
+    """Rows of the stretch that muscles shorten which end in the skin, by the share `gathers`.
+
+    `muscles` (k, 2): the parameters of their left and right side; `left` (r,): the rows' share of the left
+    one. Dimples (`alone`) are shortened by nothing else.
+    """
 
     rows: slice
-    muscle: list[int]
+    muscles: IntArray
+    left: Array
     gathers: float
+    alone: bool
 
     @classmethod
-    def of(cls, placed: PlacedRegion, zone: int, row_zone: UInt32Array) -> _DrawnIn:
-        """Find the rows of a region of dimples."""
+    def of(cls, placed: PlacedRegion, zone: int, compression: Compression) -> _DrawnIn:
+        """Find the rows of a region of dimples, or of a fold that muscles draw in."""
         layout = placed.region.layout
-        assert isinstance(layout, Dimples)
-        first, last = np.searchsorted(row_zone, [zone, zone + 1])
-        parameters = [INDEX[p.name] for p in parameters_named(layout.muscle)]
-        return cls(slice(int(first), int(last)), parameters, layout.gathers)
+        assert isinstance(layout, Dimples | Fold)
+        first, last = np.searchsorted(compression.row_zone, [zone, zone + 1])
+        rows = slice(int(first), int(last))
+        alone = isinstance(layout, Dimples)
+        names = (layout.muscle,) if isinstance(layout, Dimples) else layout.muscles
+        muscles = np.array([[INDEX[p.name] for p in parameters_named(name)] for name in names])
+        left = np.full(rows.stop - rows.start, 0.5) if alone else compression.row_side[rows]
+        return cls(rows, muscles, left, layout.gathers, alone)
+
+    def shorten(self, values: Array, stretch: Array) -> None:
+        """Write the rows' `stretch` at `values` (46,); that of the strongest muscle counts."""
+        left, right = values[self.muscles].max(axis=0).tolist()
+        drawn = 1.0 - self.gathers * (right + (left - right) * self.left)
+        stretch[self.rows] = drawn if self.alone else np.minimum(stretch[self.rows], drawn)
 
 
 class _HeldFlat(NamedTuple):
@@ -145,7 +161,8 @@ class _HeldFlat(NamedTuple):
 
 
 def _draws_in(placed: PlacedRegion) -> bool:
-    return isinstance(placed.region.layout, Dimples)
+    layout = placed.region.layout
+    return isinstance(layout, Dimples) or (isinstance(layout, Fold) and bool(layout.muscles))
 
 
 class _Raised:
