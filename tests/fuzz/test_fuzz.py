@@ -74,6 +74,7 @@ OURS = {
     "core/pcm": "samples, of which all bytes are right",
     "core/positions": "keys that were parsed before",
     "core/worker_process": "answers of our workers",
+    "face/regions": "the bytes of its own table",
     "ports/html": "bytes that it writes",
     "ports/npz": "writes",
     "ports/video/encoder": "answers of our encoder",
