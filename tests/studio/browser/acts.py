@@ -30,9 +30,10 @@ def perform(page: Page, text: str = LINE) -> None:
 
 
 def restore(page: Page) -> None:
-    """Take all changes of a line back, and show it from the front and from its start."""
+    """Take all changes of a line back, and show it alone, from the front and from its start."""
     page.run("""
       document.querySelectorAll("dialog[open]").forEach((dialog) => dialog.close());
+      document.querySelector("#compare-end:not([hidden])")?.click();
       document.activeElement?.blur();
       studio.clock.pause();
       while (studio.store.get("take").undoes) await studio.actions.undo();
