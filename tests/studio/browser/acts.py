@@ -37,7 +37,7 @@ def restore(page: Page) -> None:
       document.activeElement?.blur();
       studio.clock.pause();
       while (studio.store.get("take").undoes) await studio.actions.undo();
-      studio.clock.loop = null;
+      studio.clock.setLoop(null);
       studio.clock.seek(0);
       studio.view.choose("front");
     """)
