@@ -22,6 +22,7 @@ from ..core.npz import read_arrays
 from ..errors import HeadError, Place
 from .muscle_table import FILE as TABLE
 from .muscle_table import ForceType, Muscle
+from .quads import quad_normals
 from .stiffness import spring_stiffness
 
 FILE = "anatomy.npz"
@@ -56,11 +57,7 @@ class Skin:
     @cached_property
     def normals(self) -> Array:
         """Unit normals (N, 3) of the points."""
-        a, b, c, d = (self.rest[self.quads[:, k]] for k in range(4))
-        normals = np.zeros_like(self.rest)
-        for k in range(4):
-            np.add.at(normals, self.quads[:, k], np.cross(c - a, d - b))
-        return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12))
+        return quad_normals(self.rest, self.quads)
 
     @cached_property
     def network(self) -> splu:

@@ -12,11 +12,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..core.arrays import Array, IntArray
+from ..core.arrays import Array
 from .crowding import LEAST_WIDTH, Distances, altitudes
 from .head import Head
 from .layouts import Fold
 from .marks import Marks
+from .quads import quad_normals
 from .regions import PlacedRegion
 
 NARROWED = 0.5 * LEAST_WIDTH  # share of a face's width: half of what the muscles leave
@@ -51,7 +52,7 @@ def _room(head: Head, full: Array) -> Array:
     rest = head.skin.matrix @ head.rest
     quads = head.skin.quads[(full != 0.0)[head.skin.quads].any(axis=1)]
     widths = Distances.of(altitudes(quads), rest)
-    narrowed = widths.shortened(full[:, None] * _normals(rest, quads))
+    narrowed = widths.shortened(full[:, None] * quad_normals(rest, quads))
     share = np.minimum(1.0, NARROWED * widths.length / np.maximum(narrowed, 1e-9))
     room = np.ones(len(rest))
     for corner in widths.points.T:
@@ -65,12 +66,3 @@ def _room(head: Head, full: Array) -> Array:
         used = times > 0.0
         room[used] = np.minimum(room[used], total[used] / times[used])
     return room
-
-
-def _normals(rest: Array, quads: IntArray) -> Array:
-    """Return the unit normals (N1, 3) of the vertices of `quads` (q, 4); the others have none."""
-    a, b, c, d = (rest[quads[:, k]] for k in range(4))
-    out = np.zeros_like(rest)
-    for corner in quads.T:
-        np.add.at(out, corner, np.cross(c - a, d - b))
-    return np.asarray(out / np.maximum(np.linalg.norm(out, axis=1, keepdims=True), 1e-12))

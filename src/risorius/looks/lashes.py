@@ -17,7 +17,8 @@ _LINE = 0.9  # mm from the upper margin to where the shade of the lashes' roots 
 
 def lash_shade(head: Head, points: Array) -> Array:
     """Return by how much, 0..1, skin at `points` (n, 3) is darkened by the roots of the upper lashes."""
-    margins = [_dense(_in_order(points[head.lid_pairs[side][:, 0]], side)) for side in range(2)]
+    uppers = [points[pairs[:, 0]] for pairs in head.lid_pairs]
+    margins = [_dense(_in_order(upper, way)) for upper, way in zip(uppers, (1.0, -1.0), strict=True)]
     distance, _ = cKDTree(np.concatenate(margins)).query(points)
     return np.asarray(np.exp(-((distance / _LINE) ** 2)))
 
@@ -47,7 +48,7 @@ def _row(
 ) -> Strands:
     """Return one row along a margin (P, 3) mm: short at both ends, fanned, curled."""
     outward = 1.0 if centre[0] > 0 else -1.0
-    line = _in_order(margin, 0 if centre[0] > 0 else 1)
+    line = _in_order(margin, outward)
     place = np.clip(
         0.10 + 0.85 * (np.arange(count) + 0.6 * rng.standard_normal(count)) / (count - 1), 0.06, 0.96
     )
@@ -73,9 +74,9 @@ def _row(
     )
 
 
-def _in_order(margin: Array, side: int) -> Array:
-    """Return the points (P, 3) of a lid's margin from the inner to the outer corner."""
-    return margin[np.argsort(margin[:, 0] * (1.0 if side == 0 else -1.0), kind="stable")]
+def _in_order(margin: Array, outward: float) -> Array:
+    """Return the points (P, 3) of a lid's margin from the inner to the outer corner: `outward` is 1 or -1."""
+    return margin[np.argsort(margin[:, 0] * outward, kind="stable")]
 
 
 def _dense(line: Array) -> Array:
