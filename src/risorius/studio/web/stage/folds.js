@@ -2,7 +2,7 @@
 
 import * as THREE from "../vendor/three/three.module.min.js";
 
-const SLOTS = 4;
+export const SLOTS = 4; // regions of wrinkles at a vertex
 
 /**
  * @param {ArrayBuffer} places as the server packs them

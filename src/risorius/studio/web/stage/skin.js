@@ -4,11 +4,11 @@
  */
 
 import * as THREE from "../vendor/three/three.module.min.js";
+import { SLOTS } from "./folds.js";
 import { DEVELOPED } from "./quick.js";
 import { lighting } from "./shading.js";
 /** @import {StageTable} from "../wire.js" */
 
-const SLOTS = 4; // regions of wrinkles at a vertex
 const STRONGEST = "2.0"; // gloss
 const WORN_OVER = "10.0"; // mm over which the file's colours go from skin to cloth
 const EVEN = 0.01; // a vertex' share of the key lamp is that of its triangles where it is nearer to all or nothing
