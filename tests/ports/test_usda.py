@@ -13,7 +13,7 @@ def test_without_usd_it_is_one_line(clip: Take, tmp_path: Path, monkeypatch: pyt
     import sys
 
     monkeypatch.setitem(sys.modules, "pxr", None)
-    with pytest.raises(OutputError, match=r"x\.usda: needs usd-core; run pip install 'risorius\[usd\]'"):
+    with pytest.raises(OutputError, match=r"x\.usda: needs usd-core; run pip install usd-core"):
         clip.write(tmp_path / "x.usda")
     assert list(tmp_path.iterdir()) == []
 

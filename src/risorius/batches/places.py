@@ -96,7 +96,7 @@ def _opened(name: str, kind: type[RisoriusError] = InputError) -> tuple[Any, str
     try:
         import fsspec
     except ImportError:
-        message = "needs fsspec; run pip install 'risorius[cluster]'"
+        message = "needs fsspec; run pip install fsspec"
         raise kind(message, Place(name)) from None
     try:
         system, path = fsspec.core.url_to_fs(name)

@@ -119,7 +119,7 @@ def _connected(address: str, processes: int) -> Any:
     try:
         import ray
     except ImportError:
-        raise InputError("--ray needs Ray; run pip install 'risorius[cluster]'") from None
+        raise InputError("--ray needs Ray; run pip install ray") from None
     package = str(Path(__file__).parents[2])
     path = os.pathsep.join(filter(None, (package, os.environ.get("PYTHONPATH", ""))))
     about: dict[str, Any] = {"log_to_driver": False, "logging_level": "ERROR"}

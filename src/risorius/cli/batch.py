@@ -48,7 +48,7 @@ EXIT_FAILED = 1
     "--ray",
     group="Batch",
     metavar="ADDRESS",
-    help="Perform on a Ray cluster: auto, local or HOST:PORT (pip install 'risorius[cluster]').",
+    help="Perform on a Ray cluster: auto, local or HOST:PORT (pip install ray).",
 )
 @option("--shard", group="Batch", metavar="I/N", help="Make only the I-th of N parts, I from 1 to N.")
 @option("--dry-run", group="Batch", is_flag=True, help="Check all rows and make nothing.")

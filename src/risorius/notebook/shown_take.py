@@ -53,4 +53,4 @@ def optional(module: str, package: str) -> Any:
     try:
         return import_module(module)
     except ImportError:
-        raise RisoriusError(f"needs {package}; run pip install 'risorius[notebook]'") from None
+        raise RisoriusError(f"needs {package}; run pip install {package}") from None

@@ -22,7 +22,7 @@ def write_parquet(take: WritableTake, path: Path, options: WriteOptions) -> None
         import pyarrow as pa
         from pyarrow import parquet
     except ImportError:
-        raise OutputError("needs pyarrow; run pip install 'risorius[data]'") from None
+        raise OutputError("needs pyarrow; run pip install pyarrow") from None
     performance, track = take.performance, take.fit_arkit(options.progress)
     columns = {"time_s": performance.times}
     columns |= {name: performance.values[:, k] for k, name in enumerate(NAMES)}

@@ -35,7 +35,7 @@ def write_usda(take: WritableTake, path: Path, options: WriteOptions) -> None:
     try:
         from pxr import Usd
     except ImportError:
-        raise OutputError("needs usd-core; run pip install 'risorius[usd]'") from None
+        raise OutputError("needs usd-core; run pip install usd-core") from None
     stage = Usd.Stage.CreateInMemory(".usda")
     _Stage(stage, take.shown_head).build(take, take.fit_arkit(options.progress))
     path.write_text(stage.GetRootLayer().ExportToString(), encoding="utf-8", newline="\n")
