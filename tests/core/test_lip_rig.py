@@ -1,8 +1,11 @@
 """The lips' rig inverts the measures of its head: each control is where its polynomial is what is wanted."""
 
+from itertools import combinations_with_replacement
+
 import numpy as np
 
-from risorius.core.lip_rig import _solve
+from risorius.core.articulators import CONTROLS
+from risorius.core.lip_rig import DEGREE, MEASURES, NONE, LipRig, _solve
 
 RNG = np.random.default_rng(3)
 COUNT = 400
@@ -31,3 +34,16 @@ def test_a_solution_does_not_depend_on_which_others_are_wanted() -> None:
     for k in range(0, COUNT, 37):
         alone = _solve([power[k : k + 1] for power in powers], wanted[k : k + 1])
         assert alone[0] == together[k]
+
+
+def test_a_measure_is_the_sum_of_its_terms() -> None:
+    terms = np.array(list(combinations_with_replacement(range(NONE + 1), DEGREE)))
+    rig = LipRig(terms, RNG.uniform(-4.0, 4.0, (len(terms), len(MEASURES))))
+    controls = {name: RNG.uniform(0.0, 1.0, COUNT) for name in CONTROLS}
+    column = np.array([*controls.values(), np.ones(COUNT)])
+    for number, measure in enumerate(MEASURES):
+        expected = rig.coefficients[:, number] @ column[terms].prod(axis=1)
+        assert np.abs(rig.passive(measure, controls) - expected).max() < 1e-12
+        powers = rig._along(measure, "open", {n: v for n, v in controls.items() if n != "open"})
+        along = sum(power * controls["open"] ** k for k, power in enumerate(powers))
+        assert np.abs(along - expected).max() < 1e-12

@@ -15,6 +15,7 @@ that phones without such targets leave these muscles at exactly 0.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -83,6 +84,10 @@ RAISER = "levator_labii_superioris"
 _LEAST_EFFECT = 0.6
 """mm of gap: `open` is taken to have at least this effect at first, a seventh of its effect at rest."""
 _Targets = tuple[tuple[str, float], ...]
+Powers = Sequence[Array]
+"""The factors (n,), or () if all are equal, of each power of a control, from 0 to `DEGREE`."""
+_Equation = tuple[Powers, Array]
+"""What is solved for a control: its powers, and what they shall add up to without the first, (n,)."""
 _MOST_KNOWN = 4096
 """Targets whose blended form a rig remembers: phones of one class and stress have the same in all lines."""
 _HELPING = 0.95 * DEFAULT_THRESHOLD
@@ -171,16 +176,28 @@ class LipRig:
         """Return the controls of some articulators, and the seal, all of the shape of `average`'s arrays."""
         jaw = self._jaw(average(JAW))
         controls = {"jaw": jaw}
-        if WIDTH in articulators or PROTRUSION in articulators:
-            controls["round"], controls["spread"] = self._rounded(
-                controls, average(WIDTH), average(PROTRUSION)
-            )
+        equations: dict[str, _Equation] = {}
+        rounds = WIDTH in articulators or PROTRUSION in articulators
+        if rounds:
+            forward, aside = (self._along(m, "round", {"jaw": jaw}) for m in (PROTRUSION, WIDTH))
+            equations["round"] = forward, positive_part(average(PROTRUSION), ROUNDED)
         if CORNERS in articulators:
             corners = average(CORNERS)
             for name, sign in (("lift", 1.0), ("lower", -1.0)):
                 powers = self._along(CORNERS, name, {"jaw": jaw})
-                controls[name] = _solve(powers, positive_part(sign * corners, ROUNDED) * sign)
-        controls["upper"] = self._raised(controls, average, articulators)
+                equations[name] = powers, positive_part(sign * corners, ROUNDED) * sign
+        solved, equations = _solved(equations), {}
+        if rounds:
+            first = solved["round"]
+            spreading = self._along(WIDTH, "spread", {"jaw": jaw, "round": first})
+            remaining = average(WIDTH) - (spreading[0] - aside[0])
+            controls["round"] = _narrowed(first, forward, aside, remaining)
+            equations["spread"] = spreading, positive_part(remaining, ROUNDED)
+        equations["upper"] = self._raising(controls, average, articulators)
+        solved.update(_solved(equations))
+        controls.update(
+            (name, solved[name]) for name in ("spread", "lift", "lower", "upper") if name in solved
+        )
         powers = self._along(APERTURE, "open", controls)
         missing = average(APERTURE) - powers[0]
         # Beside a low jaw and rounding the fit finds little effect at first: a small gap would need a leap.
@@ -204,44 +221,33 @@ class LipRig:
     def _jaw(self, drop: Array) -> Array:
         return _solve(self._along(JAW, "jaw", {}), positive_part(drop, ROUNDED))
 
-    def _raised(
+    def _raising(
         self, controls: Mapping[str, Array], average: Averages, articulators: Collection[str]
-    ) -> Array:
-        """Return `upper`: the upper lip has its part in the lips' own opening, and its own raise.
+    ) -> _Equation:
+        """Return the equation of `upper`: the upper lip's part in the lips' own opening, and its own raise.
 
         The ring muscle keeps it from the former, the more the rounder the lips.
         """
         opened = positive_part(average(APERTURE) - average(JAW), ROUNDED)
         opened = opened * (1.0 - controls.get("round", 0.0)) ** 2
         own = positive_part(average(UPPER), ROUNDED) if UPPER in articulators else 0.0
-        return _solve(self._along(UPPER, "upper", {"jaw": controls["jaw"]}), RAISED * opened + own)
-
-    def _rounded(self, controls: Mapping[str, Array], width: Array, protrusion: Array) -> tuple[Array, Array]:
-        """Return `round` and `spread`: the first from the protrusion, the second from the remaining width.
-
-        If the mouth must be narrower than that, `round` is about the nearest to both targets: one step of
-        Gauss and Newton from the first. It has no corner where the width is just reached.
-        """
-        forward, narrower = self._along(PROTRUSION, "round", controls), self._along(WIDTH, "round", controls)
-        rounding = _solve(forward, positive_part(protrusion, ROUNDED))
-        spreading = self._along(WIDTH, "spread", {**controls, "round": rounding})
-        remaining = width - (spreading[0] - narrower[0])
-        ahead, aside = _slope(forward, rounding), _slope(narrower, rounding)
-        nearer = -aside * positive_part(-remaining, ROUNDED) / (ahead**2 + aside**2)
-        return (
-            np.clip(rounding + nearer, 0.0, 1.0),
-            _solve(spreading, positive_part(remaining, ROUNDED)),
-        )
+        return self._along(UPPER, "upper", {"jaw": controls["jaw"]}), RAISED * opened + own
 
     def _along(self, measure: str, control: str, others: Mapping[str, Array]) -> list[Array]:
         """Return a measure as a polynomial in one control for values of others: the factor of each power."""
-        powers: list[Array] = [np.zeros(()) for _ in range(DEGREE + 1)]
-        for power, factor, rest in _plan(self, measure, control, tuple(others)):
-            value: Array = np.asarray(factor)
-            for name in rest:
-                value = value * others[name]
-            powers[power] = powers[power] + value
-        return powers
+        plan = _plan(self, measure, control, frozenset(others))
+        return [np.asarray(_value(factor, others)) for factor in plan]
+
+
+def _narrowed(rounding: Array, forward: Powers, aside: Powers, remaining: Array) -> Array:
+    """Return `round` for a mouth that must be narrower (`remaining` below 0) than its `rounding` makes it.
+
+    It is about the nearest to both targets: one step of Gauss and Newton from the first. It has no corner
+    where the width is just reached. `forward`, `aside`: the protrusion and the width along `round`.
+    """
+    along, across = _slope(forward, rounding), _slope(aside, rounding)
+    nearer = -across * positive_part(-remaining, ROUNDED) / (along**2 + across**2)
+    return np.clip(rounding + nearer, 0.0, 1.0)
 
 
 def rig_of_fit(terms: Int64Array, coefficients: Array) -> LipRig:
@@ -276,64 +282,115 @@ def gap_left(gap: Array, seal: Array) -> Array:
     return np.maximum(np.minimum(gap - SEAL_MM * seal, WIDEST_MM * (1.0 - seal)), 0.0)
 
 
+@dataclass(frozen=True, slots=True)
+class _Sum:
+    """A polynomial in several controls: `control` times `inner`, and `rest`."""
+
+    control: str
+    inner: _Sum | float
+    rest: _Sum | float
+
+
+def _value(polynomial: _Sum | float, controls: Mapping[str, Array]) -> Array | float:
+    """Return what a polynomial is for values of its controls, (n,) each."""
+    if isinstance(polynomial, float):
+        return polynomial
+    value = controls[polynomial.control] * _value(polynomial.inner, controls)
+    rest = _value(polynomial.rest, controls)
+    if isinstance(rest, float):
+        return np.add(value, rest, out=value) if rest else value
+    return np.add(value, rest, out=value)
+
+
 @lru_cache(maxsize=256)
-def _plan(
-    rig: LipRig, measure: str, control: str, others: tuple[str, ...]
-) -> tuple[tuple[int, float, tuple[str, ...]], ...]:
-    """Return the terms that `_along` adds up: the power of the control, the factor, the other controls."""
+def _plan(rig: LipRig, measure: str, control: str, others: frozenset[str]) -> tuple[_Sum | float, ...]:
+    """Return the polynomials in `others` by which a measure depends on each power of a control."""
     names = [*CONTROLS, ""]
     known = {control, *others} - {""}
-    plan = []
+    powers: list[dict[tuple[str, ...], float]] = [{} for _ in range(DEGREE + 1)]
     for term, factor in zip(rig.terms.tolist(), rig.coefficients[:, MEASURES.index(measure)], strict=True):
         factors = [names[i] for i in term if i != NONE]
         if factor != 0.0 and known.issuperset(factors):
             rest = tuple(name for name in factors if name != control)
-            plan.append((len(factors) - len(rest), float(factor), rest))
-    return tuple(plan)
+            terms = powers[len(factors) - len(rest)]
+            terms[rest] = terms.get(rest, 0.0) + float(factor)
+    return tuple(map(_nested, powers))
 
 
-def _solve(powers: Sequence[Array], wanted: Array) -> Array:
+def _nested(terms: Mapping[tuple[str, ...], float]) -> _Sum | float:
+    """Return a sum of products of controls with one multiplication a term: what most have is taken out."""
+    counts = Counter(name for term in terms for name in set(term))
+    if not counts:
+        return terms.get((), 0.0)
+    control = max(counts, key=lambda name: (counts[name], name))
+    inner, rest = {}, {}
+    for term, factor in terms.items():
+        if control in term:
+            place = term.index(control)
+            inner[term[:place] + term[place + 1 :]] = factor
+        else:
+            rest[term] = factor
+    return _Sum(control, _nested(inner), _nested(rest))
+
+
+def _solve(powers: Powers, wanted: Array) -> Array:
     """Return x in 0..1 with Σ powers[k] x^k = wanted over k >= 1, or the nearest end if there is none.
 
     Newton's method within a bracket, because a muscle beside a stronger one hardly moves anything at first.
     The solution for `wanted` 0 is exactly 0.
     """
-    solution = np.zeros(np.shape(wanted))
-    places = np.flatnonzero(wanted)
-    if len(places):
-        first, second, third = (np.broadcast_to(p, wanted.shape)[places] for p in powers[1:])
-        solution[places] = _newton(first, second, third, wanted[places])
-    return solution
+    return _solved({"": (powers, wanted)})[""]
 
 
-def _slope(powers: Sequence[Array], x: Array) -> Array:
+def _solved(equations: Mapping[str, _Equation]) -> dict[str, Array]:
+    """Return the solutions of some equations by name: all at once, since most have few places to solve."""
+    places = [np.flatnonzero(wanted) for _, wanted in equations.values()]
+    ends = np.cumsum([0, *map(len, places)]).tolist()
+    table = np.empty((DEGREE + 1, ends[-1]))
+    parts = [slice(*ends[k : k + 2]) for k in range(len(places))]
+    for (powers, wanted), place, part in zip(equations.values(), places, parts, strict=True):
+        for row, column in zip(table, (wanted, *powers[1:]), strict=True):
+            row[part] = column[place] if np.ndim(column) else column
+    found = _newton(*table)
+    solutions = {}
+    for (name, (_, wanted)), place, part in zip(equations.items(), places, parts, strict=True):
+        solution = solutions[name] = np.zeros(len(wanted))
+        solution[place] = found[part]
+    return solutions
+
+
+def _slope(powers: Powers, x: Array) -> Array:
     """Return the derivative of Σ powers[k] x^k."""
     _, first, second, third = powers
     return np.asarray(first + x * (2.0 * second + 3.0 * x * third))
 
 
-def _newton(first: Array, second: Array, third: Array, wanted: Array) -> Array:
-    """Return the solution of `_solve` for `wanted` (n,), none of them 0."""
+def _newton(wanted: Array, first: Array, second: Array, third: Array) -> Array:
+    """Return the solutions of `_solve` for `wanted` (n,), none of them 0."""
+    if not len(wanted):
+        return wanted
+    # What falls is solved upside down.
+    turned = np.where(first + second + third < 0.0, -1.0, 1.0)
+    wanted, first, second, third = (part * turned for part in (wanted, first, second, third))
+    twice, thrice = 2.0 * second, 3.0 * third
     low, high = np.zeros(len(wanted)), np.ones(len(wanted))
-    whole = first + second + third
-    rising = np.sign(whole)
-    x = np.minimum(np.maximum(wanted / whole, 0.0), 1.0)
-    solution, going_on = x, np.arange(len(wanted))
     with np.errstate(divide="ignore", invalid="ignore"):
+        x = np.minimum(np.maximum(wanted / (first + second + third), 0.0), 1.0)
+        solution, going_on = x, np.arange(len(wanted))
         for step in range(_STEPS):
             before = x
             missing = wanted - x * (first + x * (second + x * third))
-            beyond = missing * rising < 0.0
+            beyond = missing < 0.0
             low, high = np.where(beyond, low, x), np.where(beyond, x, high)
-            newton = x + missing / _slope((wanted, first, second, third), x)
+            newton = x + missing / (first + x * (twice + x * thrice))
             inside = (newton >= low) & (newton <= high)
-            x = np.where(inside, newton, 0.5 * (low + high))
+            x = newton if inside.all() else np.where(inside, newton, 0.5 * (low + high))
             if step + 1 == _MOST_NEEDED:
                 # Each by itself, so that no solution depends on which others are wanted.
                 solution, going_on = x, np.flatnonzero(np.abs(x - before) > _NEAR)
                 if not len(going_on):
                     return solution
-                state = (first, second, third, wanted, rising, low, high, x)
-                first, second, third, wanted, rising, low, high, x = (part[going_on] for part in state)
+                state = (first, second, third, twice, thrice, wanted, low, high, x)
+                first, second, third, twice, thrice, wanted, low, high, x = (part[going_on] for part in state)
     solution[going_on] = x
     return solution
