@@ -34,7 +34,8 @@ def marked_and_ruled(inputs: ChannelInputs, context: Context) -> Iterator[Moveme
 def movements_of_rules(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
     """Yield the movements of a channel's events; looks are left to the gaze."""
     boundaries = inputs.units.boundaries
-    events = [event for event in context.events if event.rule.channel == context.name]
+    prefix = context.name + "."
+    events = [event for event in context.events if event.rule.id.startswith(prefix)]
     blinks: set[tuple[str, float]] = set()
     for event, following in zip(events, _following_gestures(events), strict=True):
         if event.targets:

@@ -14,7 +14,8 @@ from struct import Struct
 Key = str | int
 # Bits of a random word that make a double in [0, 1).
 _BITS = 53
-_LOW_BITS = 2**_BITS - 1
+_LOW_BITS, _DOWN = 2**_BITS - 1, 64 - _BITS
+_UNIT = 2.0**-_BITS
 _words = Struct("<QQ").unpack
 
 
@@ -69,7 +70,7 @@ class Counted:
         state = self._hash.copy()
         state.update(_encoded(key))
         first, second = _words(state.digest())
-        return (first & _LOW_BITS) * 2.0**-_BITS, (second >> (64 - _BITS)) * 2.0**-_BITS
+        return (first & _LOW_BITS) * _UNIT, (second >> _DOWN) * _UNIT
 
 
 def _encoded(key: tuple[Key, ...]) -> bytes:

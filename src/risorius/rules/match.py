@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 from ..core.action_units import in_parameters, kept_units, unit_weights
 from ..core.counted import Counted
+from ..core.frozen import FrozenDict
 from ..core.parameters import INDEX, PARAMETERS, Kind, parameters_named
 from ..core.time import TICK
 from .emotions import emotion, emotion_key
@@ -51,6 +53,10 @@ class Event:
         return frozenset(names)
 
 
+Condition = Callable[[Unit], object]
+"""Returns of a unit what is true if it meets one condition."""
+
+
 def events_of(
     rules: Iterable[Rule],
     units: Units,
@@ -72,14 +78,17 @@ def events_of(
 def _matched(
     rule: Rule, units: Units, numbers: Counted, modulations: Sequence[Modulation], side: float
 ) -> Iterator[Event]:
-    for unit in units.of(rule.level):
-        if not fits(rule.when, unit):
+    rate = rate_of(rule.id, modulations)
+    fitting: Iterable[Unit] = units.of(rule.level)
+    for condition in conditions(rule.when):
+        fitting = filter(condition, fitting)
+    for unit in fitting:
+        felt = felt_modulations(unit.emotions)
+        ways = (*modulations, *felt)
+        chance = rule.probability * (rate_of(rule.id, ways) if felt else rate)
+        if chance < 1.0 and numbers.uniform(unit.phrase, unit.number, "chance") >= chance:
             continue
-        ways = (*modulations, *felt_modulations(unit.emotions))
         own = numbers.under(unit.phrase, unit.number)
-        chance = rule.probability * rate_of(rule.id, ways)
-        if chance < 1.0 and own.uniform("chance") >= chance:
-            continue
         alike = numbers.under("group", unit.group) if rule.effect.grouped else own
         size = size_of(rule.id, ways) * _varied(rule.effect.vary, alike)
         mirrored = rule.effect.mirror and alike.uniform("side") >= 0.5 * (1.0 + side)
@@ -99,23 +108,26 @@ def felt_modulations(felt: Mapping[str, float]) -> tuple[Modulation, ...]:
     return tuple(emotion(name).modulation.at(intensity) for name, intensity in felt.items())
 
 
-def fits(when: When, unit: Unit) -> bool:
-    """Tell whether a unit is all that a rule asks for."""
-    return bool(
-        (not when.accent or (unit.accents and _labelled(when.accent, [a.label for a in unit.accents])))
-        and (when.nuclear is None or when.nuclear == any(a.nuclear for a in unit.accents))
-        and (not when.boundary or (unit.boundary and _labelled(when.boundary, [unit.boundary])))
-        and (not when.pause or unit.pause in when.pause)
-        and (not when.question or unit.question in when.question)
-        and (not when.stress or unit.stress in when.stress)
-        and (not when.position or unit.position in when.position)
-        and (not when.phones or unit.phone in when.phones)
-        and (not when.words or not unit.words.isdisjoint(when.words))
-        and _within(when.rate, unit.rate)
-        and _within(when.lasting, unit.end - unit.start)
-        and (not when.turn or unit.turn in when.turn)
-        and _felt(when, unit.emotions)
-    )
+@lru_cache(maxsize=1024)
+def conditions(when: When) -> tuple[Condition, ...]:
+    """Return functions that tell whether a unit is what a rule asks for, one for each thing that it asks."""
+    words = frozenset(when.words)
+    each: list[tuple[object, Condition]] = [
+        (when.accent, lambda u: u.accents and _labelled(when.accent, [a.label for a in u.accents])),
+        (when.nuclear is not None, lambda u: when.nuclear == any(a.nuclear for a in u.accents)),
+        (when.boundary, lambda u: u.boundary and _labelled(when.boundary, [u.boundary])),
+        (when.pause, lambda u: u.pause in when.pause),
+        (when.question, lambda u: u.question in when.question),
+        (when.stress, lambda u: u.stress in when.stress),
+        (when.position, lambda u: u.position in when.position),
+        (when.phones, lambda u: u.phone in when.phones),
+        (words, lambda u: not u.words.isdisjoint(words)),
+        (when.rate, lambda u: _within(when.rate, u.rate)),
+        (when.lasting, lambda u: _within(when.lasting, u.end - u.start)),
+        (when.turn, lambda u: u.turn in when.turn),
+        (when.intensity or when.emotion, lambda u: _felt(when, u.emotions)),
+    ]
+    return tuple(condition for wanted, condition in each if wanted)
 
 
 def _labelled(wanted: Sequence[str], found: Sequence[str]) -> bool:
@@ -127,8 +139,6 @@ def _within(limits: tuple[float, float] | None, value: float) -> bool:
 
 
 def _felt(when: When, felt: Mapping[str, float]) -> bool:
-    if not (when.intensity or when.emotion):
-        return True
     strongest = max(felt, key=lambda name: (felt[name], name), default=NOTHING_FELT)
     if when.intensity and felt.get(strongest, 0.0) < when.intensity:
         return False
@@ -164,7 +174,7 @@ def _until_the_end(span: MovementPhases, duration: float) -> MovementPhases:
 def _targets(rule: Rule, size: float, mirrored: bool) -> dict[str, float]:
     targets = {}
     effect = rule.effect
-    given = kept_units(effect.targets)
+    given = dict(_kept(tuple(effect.targets.items())))
     if effect.emblem is not None:
         size = min(size * effect.size, 1.0)
         given |= emotion(effect.emblem).emblem_units(1.0)
@@ -173,6 +183,12 @@ def _targets(rule: Rule, size: float, mirrored: bool) -> dict[str, float]:
         low, high = (0.0, 1.0) if unit_weights(name) else _range(name)
         targets[name] = min(max(sign * size * value, low), high)
     return targets
+
+
+@lru_cache(maxsize=1024)
+def _kept(targets: tuple[tuple[str, float], ...]) -> Mapping[str, float]:
+    """Return what `kept_units` does of a rule's targets, which are the same for all its units."""
+    return FrozenDict(kept_units(dict(targets)))
 
 
 def _range(parameter: str) -> tuple[float, float]:

@@ -57,6 +57,7 @@ class SpokenUnits:
         self._boundary_of = {boundary.word: boundary.label for boundary in said.boundaries}
         self._groups = list(groups_of(said))
         self._rates = [rate_of_phrase(said, phrase) for phrase in said.phrases]
+        self._lowered = [word.text.lower().replace("’", "'") for word in said.words]
         self._syllables_of = Counter(s.word for s in said.syllables)
 
     def _unit(
@@ -85,8 +86,8 @@ class SpokenUnits:
     def _texts(self, index: int) -> frozenset[str]:
         """Return a word's text, and those of the two and three words of its sentence that begin with it."""
         end = self._stretches[Level.UTTERANCE][self._index(Level.UTTERANCE, index)].last_word
-        texts = [w.text.lower().replace("’", "'") for w in self.said.words[index : min(index + 3, end)]]
-        return frozenset(" ".join(texts[: n + 1]) for n in range(len(texts)))
+        texts = self._lowered[index : min(index + 3, end)]
+        return frozenset([" ".join(texts[: n + 1]) for n in range(len(texts))])
 
     def _accented(self, accents: Sequence[Accent]) -> dict[str, Any]:
         """Return a unit's accents, and where the syllable of the nuclear one, or of the last, begins."""
