@@ -218,7 +218,7 @@ def _from_release(segment: LipSegment, released: float) -> LipSegment:
     """Return a segment that begins where the stop before it is released, unless it is a contact itself."""
     if released >= segment.start or any(contact in segment.targets for contact in CONTACTS):
         return segment
-    return replace(segment, start=released)
+    return segment.from_start(released)
 
 
 def _held(start: float, end: float, shape: PhoneShape) -> tuple[float, float]:

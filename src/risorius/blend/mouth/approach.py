@@ -15,7 +15,7 @@ than `FAR` counts for nothing: what is said much later changes no opening.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
@@ -58,10 +58,10 @@ class Approach:
         seals = [g for g in goals if g.contact == SEAL and g.value == 1.0]
         tucks = [g for g in goals if g.contact == TUCK]
         gentle = self._table.opening.gentle
-        met = [replace(g, start=g.start - EARLY, end=g.end + EARLY) for g in seals]
-        self._seals = _Distance(met, 0.0)
+        self._seals = _Distance([(g.start - EARLY, g.end + EARLY) for g in seals], 0.0)
         self._shut = GoalCurve([_shutting(g) for g in seals], soft=0.5)
-        self._tucks = _Distance(tucks if self._table.before("opening", "tuck") else (), gentle)
+        kept_near = tucks if self._table.before("opening", "tuck") else ()
+        self._tucks = _Distance([(g.start, g.end) for g in kept_near], gentle)
         self._partial = GoalCurve([g for g in goals if g.contact == SEAL and g.value < 1.0])
         self._tuck = GoalCurve(tucks if self._table.before("rounding", "tuck") else ())
 
@@ -143,14 +143,17 @@ def _taken(extra: Array, room: Array) -> Array:
 def _shutting(goal: Goal) -> Goal:
     """Return the times in which the seal of a closure is 1, with the ramps to it within the closure."""
     inner = min(WITHIN, 0.5 * (goal.end - goal.start))
-    return replace(goal, start=goal.start + inner, end=goal.end - inner, ramp_in=inner, ramp_out=inner)
+    return Goal(goal.contact, goal.segment, goal.start + inner, goal.end - inner, goal.value, inner, inner)
 
 
 class _Distance:
-    """The eased distance in time to the goals on both sides: s₁·s₂/(s₁ + s₂), seconds."""
+    """The eased distance in time to the goals on both sides: s₁·s₂/(s₁ + s₂), seconds.
 
-    def __init__(self, goals: Sequence[Goal], gentle: float) -> None:
-        spans = merged(np.array([(g.start, g.end) for g in goals], dtype=np.float64).reshape(-1, 2))
+    `goals`: when each starts and ends.
+    """
+
+    def __init__(self, goals: Sequence[tuple[float, float]], gentle: float) -> None:
+        spans = merged(np.array(goals, dtype=np.float64).reshape(-1, 2))
         self._start, self._end = np.append(spans[:, 0], np.inf), np.append(-np.inf, spans[:, 1])
         self._gentle = gentle
 
