@@ -249,7 +249,9 @@ class PlanSample:
         channels = (channel for channel in self.plan.channels if channel.name != LIPS)
         if self.plan.lips is None or all(OPENING.isdisjoint(channel.curves) for channel in channels):
             return None
-        alone = rig.gap({n: self.rounded(n, PlanSample.speech) for n in OPENING})
+        twins = self.plan.twins
+        spoken = {n: self.rounded(n, PlanSample.speech) for n in {twins.get(n, n) for n in OPENING}}
+        alone = rig.gap({n: spoken[twins.get(n, n)] for n in OPENING})
         together = rig.gap({n: self.value(n) for n in OPENING})
         return MouthGaps(alone, together, self.plan.lips.mouth.speaking_at(self.times))
 
