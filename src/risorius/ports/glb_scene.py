@@ -11,12 +11,14 @@ import numpy as np
 from ..core.arrays import Array, ByteArray, IntArray
 from ..face.head import Head
 from ..looks.attributes import HAIR, OCCLUSION, SPECULAR
-from ..looks.eyeball import iris_picture, pupil_axes
+from ..looks.eyeball import pupil_axes
 from ..looks.head_model import FACIAL_HAIRS
 from ..looks.parts import Part
+from .glb_paint import GlbPaint
 from .gltf import INDICES, VERTICES, Gltf
 
 METRES = 0.001
+_LINEAR, _MIPMAPS, _EDGE = 9729, 9987, 33071  # glTF's numbers of filters and of the clamped edge
 _EYES = ("eye_left", "eye_right")
 
 
@@ -26,8 +28,8 @@ class GlbScene:
 
     `parts` as `HeadModel.parts` gives them; `posed` are points (n, 3) mm of parts that are not at rest;
     `moving` are displacements (n, 3) mm of parts by morph target: {"jawOpen": {"skin": …, "tongue": …}}.
-    With `lit`, hairs say at each vertex (`_LIGHT`) which share of light reaches it, and how strong its
-    highlights are.
+    With `lit`, for our own page, colours are those of things without shade (`glb_paint` for others), and
+    hairs say at each vertex (`_LIGHT`) which share of light reaches it, and how strong its highlights are.
     """
 
     head: Head
@@ -39,6 +41,9 @@ class GlbScene:
     nodes: dict[str, int] = field(default_factory=dict)
     targets: dict[str, tuple[str, ...]] = field(default_factory=dict)
     _normals: dict[str, Array] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self._paint = GlbPaint(self.head)
 
     def build(self) -> None:
         """Add all nodes and meshes; the skin turns with the head by its neck weights, the rest as a whole."""
@@ -84,9 +89,13 @@ class GlbScene:
             uv = np.stack([0.5 + 0.5 * across[:, 0], 0.5 - 0.5 * across[:, 1]], axis=1)
             attributes["TEXCOORD_0"] = gltf.accessor(uv.astype(np.float32), VERTICES)
         else:
-            attributes["COLOR_0"] = gltf.accessor(part.colours.astype(np.float32), VERTICES)
+            colours = part.colours if self.lit else self._paint.colours(part)
+            attributes["COLOR_0"] = gltf.accessor(colours.astype(np.float32), VERTICES)
         if part.name == "skin":
             attributes |= self._neck()
+            if not self.lit:
+                places = self._paint.skin_places().astype(np.float32)
+                attributes["TEXCOORD_0"] = gltf.accessor(places, VERTICES)
         if self.lit and part.surface >= HAIR:
             light = np.zeros((len(points), 4), np.uint8)  # a vertex takes a multiple of four bytes
             light[:, :2] = np.round(255.0 * part.attributes[:, [OCCLUSION, SPECULAR]].clip(0.0, 1.0))
@@ -133,20 +142,22 @@ class GlbScene:
         for index, known in enumerate(gltf.document.get("materials", ())):
             if known["name"] == name:
                 return index
-        if name == "eye":
-            image = {
-                "bufferView": gltf.view(_png(iris_picture(*self.head.identity.looks.iris))),
-                "mimeType": "image/png",
-            }
-            source = gltf.add("images", {"name": "iris", **image})
-            sampler = gltf.add(
-                "samplers", {"magFilter": 9729, "minFilter": 9987, "wrapS": 33071, "wrapT": 33071}
-            )
-            surface["baseColorTexture"] = {
-                "index": gltf.add("textures", {"source": source, "sampler": sampler})
-            }
         material: dict[str, object] = {"name": name, "pbrMetallicRoughness": surface}
+        if name == "eye":
+            surface["baseColorTexture"] = self._texture("eye", self._paint.eye_picture(), _MIPMAPS)
+        elif name == "skin" and not self.lit:
+            surface["baseColorTexture"] = self._texture("cloth", self._paint.skin_picture(part), _LINEAR)
+            rough = self._texture("surface", self._paint.surface_picture(), _LINEAR)
+            surface |= {"metallicRoughnessTexture": rough, "metallicFactor": 1.0, "roughnessFactor": 1.0}
+            material["occlusionTexture"] = rough
         return gltf.add("materials", {**material, "doubleSided": True} if part.two_sided else material)
+
+    def _texture(self, name: str, picture: ByteArray, smaller: int) -> dict[str, int]:
+        gltf = self.gltf
+        image = {"name": name, "bufferView": gltf.view(_png(picture)), "mimeType": "image/png"}
+        sampler = {"magFilter": _LINEAR, "minFilter": smaller, "wrapS": _EDGE, "wrapT": _EDGE}
+        source, sampling = gltf.add("images", image), gltf.add("samplers", sampler)
+        return {"index": gltf.add("textures", {"source": source, "sampler": sampling})}
 
 
 def riding(parts: Mapping[str, Part], skin: Array) -> dict[str, Array]:

@@ -23,6 +23,7 @@ from ..looks.head_model import head_model
 from ..looks.parts import Part
 from ..looks.srgb import srgb_encode
 from .formats import register
+from .glb_paint import GlbPaint
 from .gltf import quaternion
 from .writable import WritableTake, WriteOptions
 
@@ -46,7 +47,7 @@ class _Stage:
 
     def __init__(self, stage: Any, head: Head) -> None:
         self._stage, self._head = stage, head
-        self._parts = head_model(head).parts()
+        self._parts, self._paint = head_model(head).parts(), GlbPaint(head)
 
     def build(self, take: WritableTake, track: ArkitTrack) -> None:
         """Define the model, its skeleton, meshes and animation."""
@@ -92,7 +93,7 @@ class _Stage:
         mesh.CreateFaceVertexCountsAttr([3] * len(part.triangles))
         mesh.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(part.triangles.astype(np.int32).ravel()))
         mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
-        colours = srgb_encode(part.colours).astype(np.float32)
+        colours = srgb_encode(part.colours * self._paint.shade(part)[:, None]).astype(np.float32)
         colour = mesh.CreateDisplayColorPrimvar(UsdGeom.Tokens.vertex)
         colour.Set(Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(colours)))
         binding = UsdSkel.BindingAPI.Apply(mesh.GetPrim())
