@@ -40,6 +40,8 @@ from .surface import Surface
 
 HEM = 10.0  # mm over which skin blends into cloth: the width of triangles there
 _TOOTH, _GUM, _TONGUE = (244, 234, 214), (206, 138, 130), (206, 122, 114)
+TEETH_GLOSS, TONGUE_GLOSS = (0.035, 1.3), (0.09, 1.0)
+"""Roughness and strength."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -119,7 +121,7 @@ def eye_parts(head: Head) -> list[Part]:
 def teeth_part(name: str, mesh: TeethMesh) -> Part:
     """Return a row of teeth with its gum."""
     triangles = _outward(mesh.vertices, mesh.triangles)
-    attributes = _attributes(len(mesh.vertices), _TOOTH, 0.035, 1.3)
+    attributes = _attributes(len(mesh.vertices), _TOOTH, *TEETH_GLOSS)
     gum = mesh.material[:, None]
     attributes[:, ALBEDO : ALBEDO + 3] += gum * (linear(_GUM) - attributes[:, ALBEDO : ALBEDO + 3])
     attributes[:, EXTRA] = mesh.material
@@ -133,7 +135,7 @@ def tongue_part(head: Head) -> Part:
     points = np.asarray(fine.matrix @ head.tongue.rest)
     triangles = _outward(points, fine.triangles)
     faces = np.ascontiguousarray(fine.quads if triangles is fine.triangles else fine.quads[:, ::-1])
-    attributes = _attributes(len(points), _TONGUE, 0.09, 1.0)
+    attributes = _attributes(len(points), _TONGUE, *TONGUE_GLOSS)
     return Part("tongue", points, faces, triangles, attributes, TONGUE, _albedo(attributes), 0.3)
 
 

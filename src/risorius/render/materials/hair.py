@@ -48,22 +48,42 @@ def _fibre(mesh: PosedMesh, light: SceneLight, i: int, p: Vec, direction: Vec, v
     """Return the light from a hair at p, vertex i, that runs along `direction`."""
     albedo = at(mesh.attributes, i)
     free, strength = mesh.attributes[i, OCCLUSION], mesh.attributes[i, SPECULAR]
-    across = unit(along(view, direction, -dot(view, direction)))
+    across = facing_fibre(direction, view)
     shadow = key_share(light, p)
     total = times(albedo, ambient_light(light.ambient, across, free))
     for k in range(len(light.lamps)):
         lamp, colour = lamp_direction(light.lamps, k), lamp_colour(light.lamps, k)
-        share = (shadow if k == 0 else mesh.reach[i, k]) * (f4(0.4) + f4(0.6) * free)
-        cosine = dot(direction, lamp)
-        sine = math.sqrt(saturate(f4(1) - cosine * cosine))
-        facing = saturate(dot(across, lamp) * f4(0.6) + f4(0.4))
-        total = along(total, times(albedo, colour), f4(0.7) * sine * facing * share)
-        total = add(total, scale(_shine(albedo, colour, direction, view, lamp), facing * share * strength))
+        share = (shadow if k == 0 else mesh.reach[i, k]) * between_fibres(free)
+        total = add(total, lamp_on_fibre(albedo, colour, lamp, direction, across, view, share, strength))
     return total
 
 
 @fast_device
-def _shine(albedo: Vec, colour: Vec, direction: Vec, view: Vec, lamp: Vec) -> Vec:
+def facing_fibre(direction: Vec, view: Vec) -> Vec:
+    """Return the normal of a fibre's side that is seen."""
+    return unit(along(view, direction, -dot(view, direction)))
+
+
+@fast_device
+def between_fibres(free: float) -> float:
+    """Return the share of a lamp that comes between other hairs to one that sees the share `free`."""
+    return f4(0.4) + f4(0.6) * free
+
+
+@fast_device
+def lamp_on_fibre(
+    albedo: Vec, colour: Vec, lamp: Vec, direction: Vec, across: Vec, view: Vec, share: float, strength: float
+) -> Vec:
+    """Return what a fibre that runs along `direction` gives back of the share of a lamp."""
+    cosine = dot(direction, lamp)
+    sine = math.sqrt(saturate(f4(1) - cosine * cosine))
+    facing = saturate(dot(across, lamp) * f4(0.6) + f4(0.4))
+    shine = scale(fibre_shine(albedo, colour, direction, view, lamp), facing * share * strength)
+    return along(shine, times(albedo, colour), f4(0.7) * sine * facing * share)
+
+
+@fast_device
+def fibre_shine(albedo: Vec, colour: Vec, direction: Vec, view: Vec, lamp: Vec) -> Vec:
     """Return the white highlight, and the coloured one that has passed through the fibre, towards the tip."""
     half = unit(add(view, lamp))
     tilt = dot(direction, half)

@@ -27,13 +27,14 @@ from .lit import ambient_light, key_share, lamp_colour, lamp_direction
 from .patch import Corners, corners_of, put, towards, weights_of
 
 LIP_STEPS = 32
-_FRONT = 2  # lamps; the others stand behind the head
-_GLOSS = f4(0.03)
+FRONT = 2  # lamps; the others stand behind the head
+GLOSS = f4(0.03)
 _DEPTH = f4(1 / 30)  # 1/mm: cheeks and palate absorb half of the light
 _GLOW = f4(0.19)  # share of light that lips and cheeks let through to the flesh behind them
-_WARM = f4(0.95), f4(0.76), f4(0.70)  # of the light that flesh in the mouth has reflected before
+WARM = f4(0.95), f4(0.76), f4(0.70)  # of the light that flesh in the mouth has reflected before
+AROUND = f4(2.0), f4(1.75), f4(1.6)  # light from all sides of the mouth has its lining's colour
 _NEAR, _FAR = f4(6), f4(42)  # mm behind the lips; the lamps' light lessens between them
-_FAUCES = f4(35)  # mm behind the lips; the lining is drawn further back, but a mouth is not deeper
+FAUCES = f4(35)  # mm behind the lips; the lining is drawn further back, but a mouth is not deeper
 
 
 @fast_device
@@ -48,10 +49,16 @@ def past_lips(
     x, y, z = unrotate(rotation, sub(p, (pivot[0], pivot[1], pivot[2])))
     x, y, z = x + pivot[0], y + pivot[1], z + pivot[2]
     front: float = lips[LIP_STEPS // 2, 1]
-    z = max(z, front - _FAUCES)
-    seen = max(_strip(lips, span, x, y, z), f4(0.75) * _strip(lips, span, x * f4(0.5), y, z))
-    behind = max(front - z, f4(0)) * _DEPTH
-    seen /= f4(1) + behind * behind
+    z = max(z, front - FAUCES)
+    return past_strips(_strip(lips, span, x, y, z), _strip(lips, span, x * f4(0.5), y, z), front - z)
+
+
+@fast_device
+def past_strips(own: float, halfway: float, behind: float) -> float:
+    """Return the share of light that enters through the slit's two strips and leaves, `behind` mm in."""
+    seen = max(own, f4(0.75) * halfway)
+    deep = max(behind, f4(0)) * _DEPTH
+    seen /= f4(1) + deep * deep
     share: float = min(f4(2.3) * seen, f4(1)) * (f4(0.4) + f4(0.6) * seen)
     return share
 
@@ -60,7 +67,13 @@ def past_lips(
 def lamps_past_lips(rotation: Float32Array, pivot: Float32Array, lips: Float32Array, p: Vec) -> float:
     """Return the share 0..1 of the lamps' light in the mouth that goes as deep as a point."""
     behind: float = lips[LIP_STEPS // 2, 1] - unrotate(rotation, sub(p, (pivot[0], pivot[1], pivot[2])))[2]
-    return f4(1) - f4(0.8) * smooth(_NEAR, _FAR, behind - pivot[2])
+    return lamps_behind(behind - pivot[2])
+
+
+@fast_device
+def lamps_behind(behind: float) -> float:
+    """Return the share 0..1 of the lamps' light in the mouth that goes `behind` mm deep."""
+    return f4(1) - f4(0.8) * smooth(_NEAR, _FAR, behind)
 
 
 @fast_device
@@ -76,11 +89,11 @@ def entering_light(light: SceneLight, rotation: Float32Array) -> Vec:
     """Return the lamps' light on an open mouth, warm with the colour of the flesh that spreads it within."""
     total: Vec = (f4(0), f4(0), f4(0))
     ahead = _ahead(rotation)
-    for k in range(min(len(light.lamps), _FRONT)):
+    for k in range(min(len(light.lamps), FRONT)):
         total = along(
             total, lamp_colour(light.lamps, k), saturate(dot(ahead, lamp_direction(light.lamps, k)))
         )
-    return times(total, _WARM)
+    return times(total, WARM)
 
 
 @fast_device
@@ -98,6 +111,22 @@ def _strip(lips: Float32Array, span: Float32Array, x: float, y: float, z: float)
     s = place - f4(i)
     top, top_z = _edge(lips, i, s, 0)
     low, low_z = _edge(lips, i, s, 2)
+    return strip_share(x, y, z, left, right, top, top_z, low, low_z)
+
+
+@fast_device
+def strip_share(
+    x: float,
+    y: float,
+    z: float,
+    left: float,
+    right: float,
+    top: float,
+    top_z: float,
+    low: float,
+    low_z: float,
+) -> float:
+    """Return the form factor at a place of a slit from `left` to `right` with the edges y and z over it."""
     up, down = top - y, low - y
     ahead = max(f4(0.5) * (top_z + low_z) - z, f4(0.3))
     up_sine = up / math.sqrt(up * up + ahead * ahead)
@@ -145,28 +174,51 @@ def _wet(
     free, roughness, strength = weigh(mesh.attributes, corners, weights, OCCLUSION)
     deep = past_lips(pose.rotation, pose.pivot, pose.lips, pose.lip_span, p) * free
     if surface == TEETH:
-        # Light that enters a tooth comes out of it and its neighbours again.
-        root = math.sqrt(deep)
-        spread = min(root * (f4(0.8) + f4(0.7) * root), f4(1.15))
-        deep = spread * smooth(f4(0), f4(0.12), deep)
-        # It is the redder the more of the light has met flesh before.
-        pale = min(f4(0.2) + deep, f4(1))
-        albedo = times(albedo, mix((f4(1), f4(0.72), f4(0.62)), (f4(1), f4(1), f4(1)), pale))
+        deep = spread_in_teeth(deep)
+        albedo = times(albedo, reddened(deep))
     else:
         deep = spread_in_flesh(deep)
     shadow = key_share(light, p)
-    # Light from all sides of the mouth is warm with the colour of its lining.
-    around = times(ambient_light(light.ambient, normal, f4(1)), (f4(2.0), f4(1.75), f4(1.6)))
+    around = times(ambient_light(light.ambient, normal, f4(1)), AROUND)
     total = times(albedo, scale(around, deep))
     if surface == TONGUE:
-        ahead = dot(normal, _ahead(pose.rotation)) * f4(0.4) + f4(0.6)
-        share = ahead * deep * lamps_past_lips(pose.rotation, pose.pivot, pose.lips, p)
+        share = towards_lips(dot(normal, _ahead(pose.rotation))) * deep
+        share *= lamps_past_lips(pose.rotation, pose.pivot, pose.lips, p)
         total = along(total, times(albedo, entering_light(light, pose.rotation)), share)
-    for k in range(min(len(light.lamps), _FRONT)):
+    for k in range(min(len(light.lamps), FRONT)):
         direction, colour = lamp_direction(light.lamps, k), lamp_colour(light.lamps, k)
         arriving = deep * (shadow if k == 0 else f4(1))
         if surface == TEETH:
-            wrapped = saturate((dot(normal, direction) + f4(0.4)) * f4(1 / 1.4))
-            total = along(total, times(albedo, colour), wrapped * arriving)
-        total = along(total, colour, gloss(normal, view, direction, roughness, _GLOSS) * strength * arriving)
+            total = along(total, times(albedo, colour), tooth_share(dot(normal, direction)) * arriving)
+        total = along(total, colour, gloss(normal, view, direction, roughness, GLOSS) * strength * arriving)
     return total
+
+
+@fast_device
+def spread_in_teeth(deep: float) -> float:
+    """Return the share of light from a tooth where the share `deep` arrives.
+
+    Light that enters a tooth comes out of it and its neighbours again.
+    """
+    root = math.sqrt(deep)
+    spread = min(root * (f4(0.8) + f4(0.7) * root), f4(1.15))
+    return spread * smooth(f4(0), f4(0.12), deep)
+
+
+@fast_device
+def reddened(deep: float) -> Vec:
+    """Return what a tooth's albedo becomes: the redder the more of the light has met flesh before."""
+    pale = min(f4(0.2) + deep, f4(1))
+    return mix((f4(1), f4(0.72), f4(0.62)), (f4(1), f4(1), f4(1)), pale)
+
+
+@fast_device
+def tooth_share(cosine: float) -> float:
+    """Return the share of a lamp's light on a tooth: it goes round its edges."""
+    return saturate((cosine + f4(0.4)) * f4(1 / 1.4))
+
+
+@fast_device
+def towards_lips(cosine: float) -> float:
+    """Return the share of the light past the lips on flesh: it comes from there, but from all sides too."""
+    return cosine * f4(0.4) + f4(0.6)
