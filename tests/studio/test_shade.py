@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from risorius.face.head import load_head
-from risorius.looks.anatomy import find_anatomy
 from risorius.ports.head_shade import light, shade
 
 
@@ -38,15 +37,3 @@ def test_cloth_begins_below_the_neck(seen):
     height = (head.skin.matrix @ head.rest)[:, 1]
     hem = found[:, -1].astype(int)
     assert hem[np.argmax(height)] < 128 < hem[np.argmin(height)]
-
-
-def test_the_lining_of_the_mouth_is_lit_where_open_lips_show_it_and_less_further_back(seen):
-    head, found = seen
-    anatomy = find_anatomy(head)
-    behind = anatomy.mouth[2] - anatomy.skin[:, 2]
-    lining = anatomy.masks["inner_mouth"] == 1.0
-    front, back = (
-        found[lining & (behind > least) & (behind < most), 0] for least, most in ((9, 15), (45, 60))
-    )
-    assert front.min() > 100
-    assert 10 < back.mean() < 60

@@ -38,7 +38,7 @@ class HeadFolds:
     def described(self) -> StageFolds:
         """Return what a page needs to know of them."""
         styles = tuple(tuple(row) for row in self._creases.style.astype(float).tolist())
-        return StageFolds(len(self._rows), STEP, styles)
+        return StageFolds(len(self._rows), STEP, SLOTS, styles)
 
     def heights(self, wrinkles: Float32Array) -> ByteArray:
         """Return the heights (N1, R) mm of a face in steps, as many as are `described`."""

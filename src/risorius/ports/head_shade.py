@@ -4,23 +4,19 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..core.arrays import Float32Array
 from ..face.head import Head
-from ..looks.anatomy import Anatomy, find_anatomy, smoothstep
+from ..looks.anatomy import find_anatomy
 from ..looks.attributes import CURVATURE, INNER, MAX_CURVATURE, ROUGHNESS, SPECULAR
 from ..looks.garment import neckline
 from ..looks.head_model import head_model
-from ..looks.perfusion import LEAST, LIPS_ABSORB, MOST, SKIN_ABSORBS, skin_blood
+from ..looks.perfusion import LEAST, LIPS_ABSORB, MOST, ROUNDS, SKIN_ABSORBS, skin_blood
 from ..render.lights import STUDIO
 from ..render.resting import light_at_rest
+from .skin_formulas import STRONGEST
 from .stage_table import StageBlood, StageLamp, StageLight
 
-# What the lining of an open mouth sees of its surroundings: it begins and lessens so many mm behind the lips.
-LINING = 0.8
-LINING_BEGINS, LINING_LESSENS = (3.0, 9.0), (6.0, 42.0)
 HEM_STEPS = 4.0
 BLOOD_STEPS = 127.0
-STRONGEST = 2.0  # of the gloss
 
 
 def light() -> StageLight:
@@ -33,7 +29,8 @@ def blood() -> StageBlood:
     """Return how skin changes its colour."""
     (red, green, blue), lips = SKIN_ABSORBS, LIPS_ABSORB
     skin = float(red), float(green), float(blue)
-    return StageBlood(skin, (float(lips[0]), float(lips[1]), float(lips[2])), float(LEAST), float(MOST))
+    absorbed = float(lips[0]), float(lips[1]), float(lips[2])
+    return StageBlood(skin, absorbed, float(LEAST), float(MOST), ROUNDS)
 
 
 def shade(head: Head) -> bytes:
@@ -45,20 +42,10 @@ def shade(head: Head) -> bytes:
     bunched (`SkinBlood`), one for each 1 / BLOOD_STEPS, the last from 128 on; then roughness squared, the
     strength of the gloss of STRONGEST, the curvature of the greatest, the share of mouth interior, 255 for 1.
     """
-    anatomy = find_anatomy(head)
-    shares = _lit_lining(anatomy, light_at_rest(head, STUDIO))
-    hem = 128.0 + HEM_STEPS * neckline(anatomy).astype(np.float32)[:, None]
+    shares = light_at_rest(head, STUDIO)
+    hem = 128.0 + HEM_STEPS * neckline(find_anatomy(head)).astype(np.float32)[:, None]
     shown = BLOOD_STEPS * np.stack(skin_blood(head, head.identity.looks), axis=1) + np.array([0, 0, 128])
     skin = head_model(head).solids["skin"].attributes[:, [ROUGHNESS, SPECULAR, CURVATURE, INNER]]
     surface = 255.0 * skin / np.array([1.0, STRONGEST, MAX_CURVATURE, 1.0])
     columns = np.concatenate([255.0 * shares.clip(0.0, 1.0), hem, shown, surface], axis=1)
     return np.round(columns.clip(0.0, 255.0)).astype(np.uint8).tobytes()
-
-
-def _lit_lining(anatomy: Anatomy, shares: Float32Array) -> Float32Array:
-    """Return the shares with those of the mouth's lining when the lips part: at rest it is not seen."""
-    behind = anatomy.mouth[2] - anatomy.skin[:, 2]
-    lined = LINING * smoothstep(*LINING_BEGINS, behind) * (1.0 - 0.8 * smoothstep(*LINING_LESSENS, behind))
-    lit = shares.copy()
-    lit[:, 0] = np.maximum(shares[:, 0], lined * anatomy.masks["inner_mouth"])
-    return lit

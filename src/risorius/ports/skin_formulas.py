@@ -12,13 +12,16 @@ from ..looks.eyeball import IRIS
 from ..looks.garment import COLLAR
 from ..looks.noise import SIZE as CELLS
 from ..looks.noise import noise_tile
+from ..looks.parts import HEM, TEETH_GLOSS, TONGUE_GLOSS
 from ..render import creases, shadow, subsurface
 from ..render.brdf import gloss, mirrored, schlick
 from ..render.lights import STUDIO
-from ..render.materials import cloth, eye, folds, lit, skin, skin_lamps
+from ..render.materials import cloth, eye, folds, hair, lit, mouth, skin, skin_lamps
 from .glsl import glsl_of
 from .stage_table import StageShading, StageShadow
 
+STRONGEST = 2.0
+"""The strength of gloss for which a page has the highest number."""
 _FUNCTIONS = (
     schlick,
     mirrored,
@@ -54,6 +57,18 @@ _FUNCTIONS = (
     eye.tear_glint,
     eye.caruncle_glint,
     eye.window,
+    hair.facing_fibre,
+    hair.between_fibres,
+    hair.fibre_shine,
+    hair.lamp_on_fibre,
+    mouth.strip_share,
+    mouth.past_strips,
+    mouth.lamps_behind,
+    mouth.spread_in_flesh,
+    mouth.spread_in_teeth,
+    mouth.reddened,
+    mouth.tooth_share,
+    mouth.towards_lips,
 )
 _CONSTANTS = {
     "ANGLES": subsurface.ANGLES,
@@ -91,6 +106,17 @@ _CONSTANTS = {
     "FILL_WINDOW": eye.FILL_WINDOW,
     "KEY_BRIGHT": eye.KEY_BRIGHT,
     "FILL_BRIGHT": eye.FILL_BRIGHT,
+    "STRONGEST": STRONGEST,
+    "HEM": HEM,
+    "INNER_MOUTH": skin.INNER_MOUTH,
+    "FAUCES": mouth.FAUCES,
+    "WARM": mouth.WARM,
+    "AROUND": mouth.AROUND,
+    "WET_GLOSS": mouth.GLOSS,
+    "TOOTH_ROUGHNESS": TEETH_GLOSS[0],
+    "TOOTH_STRENGTH": TEETH_GLOSS[1],
+    "TONGUE_ROUGHNESS": TONGUE_GLOSS[0],
+    "TONGUE_STRENGTH": TONGUE_GLOSS[1],
 }
 _HIGHEST = 5.0  # of the grain's heights, whose variance is 1: 127 steps
 
@@ -98,7 +124,7 @@ _HIGHEST = 5.0  # of the grain's heights, whose variance is 1: 127 steps
 def shading() -> StageShading:
     """Return what a page shades skin by."""
     sizes = CELLS, subsurface.ANGLES, subsurface.CURVATURES
-    return StageShading(glsl_of(_FUNCTIONS, _CONSTANTS), *sizes, _HIGHEST)
+    return StageShading(glsl_of(_FUNCTIONS, _CONSTANTS), *sizes, _HIGHEST, eye.LID_STEPS, mouth.LIP_STEPS)
 
 
 def key_shadow(anatomy: Anatomy) -> StageShadow:

@@ -51,25 +51,28 @@ class StageBlood:
     """How skin changes its colour, as `looks/perfusion.py` says it.
 
     What the usual blood absorbs of red, green and blue in skin and in lips, and the least and the most that
-    moving skin gains of the usual blood.
+    moving skin gains of the usual blood; how often the areas are smoothed by which this is known.
     """
 
     skin: tuple[float, float, float]
     lips: tuple[float, float, float]
     least: float
     most: float
+    rounds: int
 
 
 @dataclass(frozen=True, slots=True)
 class StageFolds:
     """The fine wrinkles of a head: how many heights a face has, in steps of so many mm.
 
+    There is room for those of `slots` regions at each vertex.
     `styles` has for each region of wrinkles its kind, the width of its furrows in mm, how dark these are, and
     the share of the height that is shaded.
     """
 
     count: int
     step: float
+    slots: int
     styles: tuple[tuple[float, ...], ...]
 
 
@@ -91,7 +94,8 @@ class StageShading:
     """What skin is shaded by: the library's formulas as GLSL, and the sizes of its tables (`GET /api/skin`).
 
     `grain` cells each way of the pores' heights, which are at most `highest`; light that leaves skin at so
-    many angles and curvatures.
+    many angles and curvatures. The margins of lids and lips are known at so many places from one corner to
+    the other.
     """
 
     formulas: str
@@ -99,6 +103,8 @@ class StageShading:
     angles: int
     curvatures: int
     highest: float
+    lids: int
+    lips: int
 
 
 @dataclass(frozen=True, slots=True)

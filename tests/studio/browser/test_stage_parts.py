@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
+
+from risorius.face.solve import FaceSolver
+from risorius.render.aperture import lip_edges
+from risorius.render.materials.mouth import LIP_STEPS
+from risorius.rules.poses import pose_values
+from risorius.studio.solvers import stage_of
 
 from .driving import Page
 
@@ -81,20 +88,25 @@ def test_fewer_strands_keep_root_and_tip_and_long_ones_their_bends(
         assert [v % 12 for v in order[k : k + each]] == bends
 
 
-@pytest.mark.parametrize(("gap", "light"), [(0.0, 0.0), (0.7, 0.0), (2.4, 0.5), (4.0, 1.0), (20.0, 1.0)])
-def test_light_comes_between_lips_as_far_as_they_part(page: Page, gap: float, light: float) -> None:
+def test_the_slit_of_the_lips_is_that_of_the_library(page: Page) -> None:
+    stage = stage_of("standard")
+    face = FaceSolver(stage.head).solve(pose_values({"AU12": 0.5, "AU25": 1.0, "AU26": 0.6}, {}))
+    pairs = face.skin[stage.head.lip_pairs].astype(np.float64)
     found = page.run(
         """
-        const { slitsOf, lightBetween } = await import("/web/stage/lips.js");
-        // Two pairs stand over one another in the middle: the nearer bounds the light.
-        const points = [0, 1, 0, 0, 1, 0, 0, 5, 0, 0, -9, 0, 20, 1, 0, 20, 1, 0];
-        const slits = slitsOf([[0, 1], [2, 3], [4, 5]], points);
-        points[1] += arguments[0];
-        return lightBetween(slits, points);
+        const THREE = await import("/web/vendor/three/three.module.min.js");
+        const { findSlit } = await import("/web/stage/lips.js");
+        const [points, steps] = arguments;
+        const pairs = Array.from({ length: points.length / 6 }, (_, k) => [2 * k, 2 * k + 1]);
+        const [span, edges] = [new THREE.Vector2(), Array.from({ length: steps }, () => new THREE.Vector4())];
+        findSlit(pairs, points, span, edges);
+        return [span.toArray(), edges.map((edge) => edge.toArray())];
         """,
-        gap,
+        pairs.ravel().tolist(),
+        LIP_STEPS,
     )
-    assert found == pytest.approx(light, abs=1e-6)
+    for own, expected in zip(found, lip_edges(pairs), strict=True):
+        np.testing.assert_allclose(own, expected, atol=1e-9)
 
 
 SCRUBBED = """
@@ -223,7 +235,9 @@ def test_strands_know_where_they_run_and_their_breadth(page: Page) -> None:
     """)
     up, left, front = [0, 1, 0], [-1, 0, 0], [0, 0, 1]
     assert along == [*up * 2, *left * 4, *front * 6]
-    assert across == [-1, 0, 0, 1, 0, 0] * 6
+    # The first of both is never left out, the other where the thinnest hairs are wider than 1 / .618 of it.
+    first, other = ([[-1, 0, 0, least], [1, 0, 0, least]] for least in (1e6, 1 / 0.6180339887))
+    assert np.reshape(across, (12, 4)) == pytest.approx(np.array(first * 3 + other * 3))
 
 
 def test_a_head_that_is_held_does_not_come_to_rest(page: Page) -> None:

@@ -28,7 +28,7 @@ export class HeadPlayers {
     this.#clock = clock;
     this.#notify = notify;
     this.stage = new Stage(canvas);
-    this.#heads = new Heads(this.stage);
+    this.#heads = new Heads();
     this.stage.line = () => this.#line();
     this.#players = [0, 1].map(
       (place) => new Player(connection, clock, (a, b, s) => this.#show(place, a, b, s)),

@@ -6,14 +6,8 @@ import { buildFigure } from "./stage/figure.js";
 const MOST = 3;
 
 export class Heads {
-  #stage;
   /** @type {Map<string, Promise<import("./stage/figure.js").Figure>>} */
   #kept = new Map();
-
-  /** @param {import("./stage/stage.js").Stage} stage */
-  constructor(stage) {
-    this.#stage = stage;
-  }
 
   /**
    * The figure of the head that choices ask for. `place` is where it stands: two places never share one.
@@ -47,7 +41,6 @@ export class Heads {
       answered(`/api/stage?${asked}`).then((response) => response.json()),
       ...[`head?${asked}`, `shade?${asked}`, `folds?${asked}`, "skin"].map(bytesOf),
     ]);
-    this.#stage.lit(packing.light);
     return buildFigure({ head, shade, folds, skin }, packing);
   }
 }

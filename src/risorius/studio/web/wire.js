@@ -893,32 +893,37 @@
 /**
  * How skin changes its colour, as `looks/perfusion.py` says it.
  * What the usual blood absorbs of red, green and blue in skin and in lips, and the least and the most that
- * moving skin gains of the usual blood.
+ * moving skin gains of the usual blood; how often the areas are smoothed by which this is known.
  * @typedef {Object} StageBlood
  * @property {[number, number, number]} skin
  * @property {[number, number, number]} lips
  * @property {number} least
  * @property {number} most
+ * @property {number} rounds
  */
 /**
  * The fine wrinkles of a head: how many heights a face has, in steps of so many mm.
- * `styles` has for each region of wrinkles its kind, the width of its furrows in mm, how dark these are,
- * and the share of the height that is shaded.
+ * There is room for those of `slots` regions at each vertex. `styles` has for each region of wrinkles its
+ * kind, the width of its furrows in mm, how dark these are, and the share of the height that is shaded.
  * @typedef {Object} StageFolds
  * @property {number} count
  * @property {number} step
+ * @property {number} slots
  * @property {Array<Array<number>>} styles
  */
 /**
  * What skin is shaded by: the library's formulas as GLSL, and the sizes of its tables (`GET /api/skin`).
  * `grain` cells each way of the pores' heights, which are at most `highest`; light that leaves skin at so
- * many angles and curvatures.
+ * many angles and curvatures. The margins of lids and lips are known at so many places from one corner to
+ * the other.
  * @typedef {Object} StageShading
  * @property {string} formulas
  * @property {number} grain
  * @property {number} angles
  * @property {number} curvatures
  * @property {number} highest
+ * @property {number} lids
+ * @property {number} lips
  */
 /**
  * The key lamp's shadow map: rows of the matrix that gives x and y in texels and mm towards the lamp.

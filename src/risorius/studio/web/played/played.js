@@ -25,7 +25,6 @@ const fps = rateOf(facts.fps);
 const clock = new Clock();
 const stage = new Stage(element("head"));
 const [head, shade, folds, skin, poses] = await Promise.all(["head", "shade", "folds", "skin", "poses"].map(inflated));
-stage.lit(facts.stage.light);
 const figure = await buildFigure({ head: woven(head), shade, folds, skin }, facts.stage);
 stage.figures = [figure];
 const faces = new PlayedFaces(facts, new Float32Array(poses), () => {

@@ -6,7 +6,6 @@
 
 /** @import {StageBlood} from "../wire.js" */
 
-const ROUNDS = 2;
 const FINE = 24; // numbers of the index for each of the coarse quads: four quads of two triangles
 
 export class Blood {
@@ -16,17 +15,19 @@ export class Blood {
   #usual;
   #shown;
   #limits;
+  #rounds;
   #areas;
   #between;
 
   /**
    * @param {Uint32Array} index the skin's triangles @param {Float32Array} points of the skin at rest
    * @param {{flesh: Float32Array, folded: Float32Array}} shown how blood shows at each vertex
-   * @param {StageBlood} limits of what skin gains
+   * @param {StageBlood} blood what skin gains at least and at most, and how often areas are smoothed
    */
-  constructor(index, points, shown, { least, most }) {
+  constructor(index, points, shown, { least, most, rounds }) {
     this.#shown = shown;
     this.#limits = { least, most };
+    this.#rounds = rounds;
     this.#quads = quadsOf(index);
     this.#parents = parentsOf(index, points.length / 3);
     const count = index.reduce((first, vertex, k) => (k % 6 === 1 ? Math.min(first, vertex) : first), Infinity);
@@ -64,7 +65,7 @@ export class Blood {
       const area = areaOf(points, 3 * quads[k], 3 * quads[k + 1], 3 * quads[k + 2], 3 * quads[k + 3]);
       for (let corner = k; corner < k + 4; corner++) now[quads[corner]] += area;
     }
-    for (let round = 0; round < ROUNDS; round++) {
+    for (let round = 0; round < this.#rounds; round++) {
       for (let v = 0; v < now.length; v++) {
         let sum = 0;
         for (let k = starts[v]; k < starts[v + 1]; k++) sum += now[ends[k]];

@@ -8,8 +8,6 @@ import { MM } from "./geometry.js";
 import { lighting } from "./shading.js";
 /** @import {StageEye, StageTable} from "../wire.js" */
 
-const STEPS = 32; // across the lids
-
 const CARRIED = "varying vec3 place;\nvarying vec3 outwards;\n";
 
 const VERTEX = `
@@ -30,9 +28,8 @@ uniform sampler2D iris;
 uniform float radius;
 uniform float side; // 1 of the left eye, - 1 of the right
 uniform mat3 eyeAxes;
-uniform mat3 headTurn;
 uniform vec2 span;
-uniform vec2 lids[ ${STEPS} ]; // heights of the upper and the lower margin from one corner to the other
+uniform vec2 lids[ ${packing.shading.lids} ]; // heights of the upper and the lower margin from one corner to the other
 vec3 irisColour( vec2 at ) {
   float away = length( at );
   vec2 within = at * min( 1.0, 1.0 / max( away, 1e-6 ) ) * IRIS;
@@ -41,7 +38,7 @@ vec3 irisColour( vec2 at ) {
 void main() {
   vec3 view = towards( place ), outward = normalize( outwards );
   vec3 local = outward * eyeAxes, inHead = radius * ( outward * headTurn );
-  float along = clamp( ( inHead.x - span.x ) / ( span.y - span.x ), 0.0, 1.0 ) * ${(STEPS - 1.001).toFixed(3)};
+  float along = clamp( ( inHead.x - span.x ) / ( span.y - span.x ), 0.0, 1.0 ) * ${(packing.shading.lids - 1.001).toFixed(3)};
   vec2 margins = mix( lids[ int( along ) ], lids[ int( along ) + 1 ], fract( along ) );
   float below = max( margins.x - inHead.y, 0.0 ), above = max( inHead.y - margins.y, 0.0 );
   vec2 corners = max( vec2( inHead.x - span.x, span.y - inHead.x ), 0.0 );
@@ -84,7 +81,7 @@ export function eyeMaterial(packing, light, iris, number) {
     side: { value: 1 - 2 * number },
     eyeAxes: { value: new THREE.Matrix3() },
     span: { value: new THREE.Vector2(-1, 1) },
-    lids: { value: Array.from({ length: STEPS }, () => new THREE.Vector2()) },
+    lids: { value: Array.from({ length: packing.shading.lids }, () => new THREE.Vector2()) },
   };
   return new THREE.ShaderMaterial({ uniforms, vertexShader: VERTEX, fragmentShader: pixel(packing) });
 }
@@ -108,7 +105,7 @@ export function placeLids({ uniforms }, { centre, radius, lids }, points) {
   const high = Math.min(upper[upper.length - 1][0], lower[lower.length - 1][0]);
   uniforms.span.value.set(low, high);
   uniforms.lids.value.forEach((/** @type {THREE.Vector2} */ heights, /** @type {number} */ k) => {
-    const x = low + ((high - low) * k) / (STEPS - 1);
+    const x = low + ((high - low) * k) / (uniforms.lids.value.length - 1);
     heights.set(heightAt(upper, x), heightAt(lower, x));
   });
 }

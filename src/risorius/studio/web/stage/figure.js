@@ -12,17 +12,15 @@ import { eyeMaterial, placeLids, turnEye } from "./eye.js";
 import { Folds } from "./folds.js";
 import { MM, bloodOf, geometryOf, irisTexture, lightOf, neckColour, neckShare } from "./geometry.js";
 import { readGlb } from "./glb.js";
-import { HAIRS } from "./hair.js";
-import { lightBetween, slitsOf } from "./lips.js";
-import { materialOf } from "./materials.js";
+import { HAIRS, hairMaterial } from "./hair.js";
+import { findSlit } from "./lips.js";
+import { mouthMaterial } from "./mouth.js";
 import { lightingUniforms } from "./shading.js";
 import { KeyShadow } from "./shadow.js";
 import { skinMaterial } from "./skin.js";
 import { Order, asStrands } from "./strands.js";
 /** @import {FileMesh, HeadData, HeadFile, Mesh} from "../types.js" */
 /** @import {StagePart, StageTable} from "../wire.js" */
-
-const MOUTH = ["teeth_upper", "teeth_lower", "tongue"];
 
 /**
  * @param {HeadData} data of the head
@@ -55,7 +53,6 @@ export class Figure {
   #stale = new Set();
   /** @type {Map<Mesh, Order>} */
   #hairs = new Map();
-  #slits;
   /** @type {Blood} */
   #blood;
   #folds;
@@ -76,16 +73,14 @@ export class Figure {
     const places = Object.fromEntries(glb.nodes.map((node) => [node.name, node.translation]));
     this.#uniforms = lightingUniforms(packing, new Uint8Array(data.skin));
     for (const [name, mesh] of Object.entries(glb.meshes)) this.#add(name, mesh, places[name], iris);
-    this.#placeMouth();
     this.#light(shade);
     const { geometry } = this.#meshes.skin;
     geometry.setAttribute("rest", geometry.attributes.position.clone());
-    this.#folds = new Folds(geometry, data.folds, packing.folds.count);
+    this.#folds = new Folds(geometry, data.folds, packing.folds);
     this.#shadow = new KeyShadow(packing.shadow, this.#uniforms.shadowRows.value);
     this.#uniforms.shadowMap.value = this.#shadow.map;
     this.#blood = this.#perfuse(shade);
-    this.#slits = slitsOf(packing.lips, this.#points);
-    this.#lightMouth();
+    this.#partLips(this.#points);
     this.#prepareLighter();
   }
 
@@ -186,7 +181,7 @@ export class Figure {
     const material = this.#materialOf(data.material.name, iris);
     const mesh = new THREE.Mesh(geometry, material);
     mesh.frustumCulled = false;
-    mesh.renderOrder = name === "skin" ? 0 : 1; // what it hides need not be shaded
+    mesh.renderOrder = name === "skin" ? 0 : name === "hair" ? 2 : 1; // what skin hides need not be shaded; hair lies over all
     this.#meshes[name] = mesh;
     if (HAIRS.includes(name)) asStrands(mesh);
     (name === "skin" ? this.group : this.#head).add(mesh);
@@ -200,7 +195,7 @@ export class Figure {
   #materialOf(name, iris) {
     if (name === "skin") return skinMaterial(this.#packing, this.#uniforms);
     if (name === "eye") return eyeMaterial(this.#packing, this.#uniforms, iris, this.#eyes.length);
-    return materialOf(name);
+    return HAIRS.includes(name) ? hairMaterial(this.#packing, this.#uniforms) : mouthMaterial(this.#packing, this.#uniforms, name);
   }
 
   #takeFace() {
@@ -210,7 +205,6 @@ export class Figure {
     const { a, b, share } = shown;
     turn(this.#head.quaternion, a.head, b.head, share);
     for (const part of this.#packing.parts) this.#place(part, a.points, b.points, share);
-    this.#lightMouth();
     this.#folds.raise(a.folds, b.folds, share);
     this.#ownUniforms.lipsGain.value = a.lips + share * (b.lips - a.lips);
     this.#uniforms.headTurn.value.setFromMatrix4(TURNED.makeRotationFromQuaternion(this.#head.quaternion));
@@ -254,6 +248,7 @@ export class Figure {
     }
     if (name === "skin") {
       this.#eyes.forEach(({ material }, side) => placeLids(/** @type {any} */ (material), this.#packing.eyes[side], points));
+      this.#partLips(points);
       this.#blood.flow(points, /** @type {Float32Array} */ (this.#meshes.skin.geometry.attributes.gained.array));
       this.#bendNeck(points);
     }
@@ -275,7 +270,9 @@ export class Figure {
    * @param {Mesh} mesh @param {THREE.Camera} camera @param {number} height
    */
   #comb(mesh, camera, height) {
-    mesh.material.userData.pixels.value = 0.5 * height * camera.projectionMatrix.elements[5];
+    const { uniforms } = /** @type {THREE.ShaderMaterial} */ (mesh.material);
+    uniforms.pixels.value = 0.5 * height * camera.projectionMatrix.elements[5];
+    uniforms.millimetres.value = this.#ownUniforms.millimetres.value;
     const sight = camera.getWorldDirection(SIGHT).transformDirection(INVERSE.copy(mesh.matrixWorld).invert());
     this.#hairs.get(mesh)?.sort(sight);
   }
@@ -313,15 +310,16 @@ export class Figure {
     return TURNED.makeRotationFromQuaternion(this.#head.quaternion).elements;
   }
 
-  /** Between lips that hardly part no light comes to the teeth. */
-  #lightMouth() {
-    const lit = lightBetween(this.#slits, this.#points);
-    for (const name of MOUTH) this.#meshes[name].material.userData.lit.value = lit;
+  /** Light comes into the mouth between the lips. @param {Float32Array} points of the skin, before the head turns */
+  #partLips(points) {
+    findSlit(this.#packing.lips, points, this.#uniforms.lipSpan.value, this.#uniforms.lips.value);
   }
 
   /** Have a lighter mesh beside each that has too many triangles. */
   #prepareLighter() {
-    const { min, max } = /** @type {THREE.Box3} */ (this.#meshes.teeth_upper.geometry.boundingBox);
+    const teeth = this.#meshes.teeth_upper.geometry;
+    teeth.computeBoundingBox();
+    const { min, max } = /** @type {THREE.Box3} */ (teeth.boundingBox);
     const mouth = new THREE.Vector3(0, (min.y + max.y) / 2, max.z).add(this.pivot);
     const spots = { eyes: this.#packing.eyes.map(({ centre }) => centre), mouth: mouth.toArray() };
     for (const [name, mesh] of Object.entries(this.#meshes)) {
@@ -336,14 +334,6 @@ export class Figure {
 
   #drawn() {
     return [...Object.values(this.#meshes), ...Object.values(this.#lighter).map(({ mesh }) => mesh)];
-  }
-
-  /** Tell the mouth's materials where its front and back are. */
-  #placeMouth() {
-    const { geometry } = this.#meshes.teeth_upper;
-    geometry.computeBoundingBox();
-    const front = /** @type {THREE.Box3} */ (geometry.boundingBox).max.z;
-    for (const name of MOUTH) this.#meshes[name].material.userData.mouth.value.set(front - 26, front - 2);
   }
 }
 

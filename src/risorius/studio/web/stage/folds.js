@@ -2,18 +2,18 @@
 
 import * as THREE from "../vendor/three/three.module.min.js";
 
-export const SLOTS = 4; // regions of wrinkles at a vertex
+/** @import {StageFolds} from "../wire.js" */
 
 /**
  * @param {ArrayBuffer} places as the server packs them
- * @param {number} count of a face's heights @param {number} vertices of the skin
+ * @param {StageFolds} described @param {number} vertices of the skin
  */
-export function unpackFolds(places, count, vertices) {
-  const entries = SLOTS * vertices;
+export function unpackFolds(places, { count, slots }, vertices) {
+  const entries = slots * vertices;
   return {
     targets: new Uint32Array(places, 0, count),
     regions: new Uint8Array(places, 4 * count, entries),
-    places: new Uint16Array(places, 4 * count + entries, SLOTS * entries),
+    places: new Uint16Array(places, 4 * count + entries, 4 * entries),
   };
 }
 
@@ -23,19 +23,20 @@ export class Folds {
 
   /**
    * @param {THREE.BufferGeometry} geometry the skin's, which gets what its shader needs
-   * @param {ArrayBuffer} places @param {number} count of a face's heights
+   * @param {ArrayBuffer} places @param {StageFolds} described
    */
-  constructor(geometry, places, count) {
+  constructor(geometry, places, described) {
+    const { slots } = described;
     const vertices = geometry.attributes.position.count;
-    const folds = unpackFolds(places, count, vertices);
+    const folds = unpackFolds(places, described, vertices);
     this.#targets = folds.targets;
-    this.#heights = new THREE.BufferAttribute(new Uint8Array(SLOTS * vertices), SLOTS).setUsage(THREE.DynamicDrawUsage);
+    this.#heights = new THREE.BufferAttribute(new Uint8Array(slots * vertices), slots).setUsage(THREE.DynamicDrawUsage);
     geometry.setAttribute("foldHeight", this.#heights);
-    geometry.setAttribute("foldRegion", new THREE.BufferAttribute(folds.regions, SLOTS));
-    for (let slot = 0; slot < SLOTS; slot++) {
+    geometry.setAttribute("foldRegion", new THREE.BufferAttribute(folds.regions, slots));
+    for (let slot = 0; slot < slots; slot++) {
       const own = new Uint16Array(4 * vertices);
       for (let vertex = 0; vertex < vertices; vertex++) {
-        const from = 4 * (SLOTS * vertex + slot);
+        const from = 4 * (slots * vertex + slot);
         own.set(folds.places.subarray(from, from + 4), 4 * vertex);
       }
       geometry.setAttribute(`foldPlace${slot}`, new THREE.Float16BufferAttribute(own, 4));

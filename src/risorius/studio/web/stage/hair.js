@@ -1,90 +1,80 @@
-/** Hairs: ribbons that lie over what is behind them. */
+/**
+ * Hairs as the library's renderer draws them (`render/materials/hair.py`): ribbons that turn their breadth to who looks, lit
+ * at their vertices, since many lie over each pixel.
+ */
 
 import * as THREE from "../vendor/three/three.module.min.js";
-import { quickened } from "./quick.js";
+import { MM } from "./geometry.js";
+import { lighting } from "./shading.js";
+import { DEVELOPED } from "./tone.js";
+/** @import {StageTable} from "../wire.js" */
 
 export const HAIRS = ["brows", "lashes", "hair", "hairline"];
 
-const SOLID = "strand.y * clamp( ( 1.0 - abs( aside ) ) * strand.x, 0.0, 1.0 )";
+const LEAST = "0.25"; // pixels: half the breadth of the thinnest hair
+const CARRIED = "varying vec3 grown;\nvarying float aside;\nvarying float soft;\n";
 
-// A strand turns its breadth to who looks. Its edges are a pixel soft; one that is thinner than a pixel is drawn as wide as
-// one, but fainter: else it would glitter. It mirrors light into a cone about its own direction (Kajiya and Kay 1989),
-// twice, as `render/materials/hair.py` says it.
-const FIBRE = `
-  float along = dot( fibre, directLight.direction );
-  vec3 across = normalize( geometryViewDir - fibre * dot( fibre, geometryViewDir ) );
-  float facing = saturate( 0.6 * dot( across, directLight.direction ) + 0.4 );
-  float tilt = dot( fibre, normalize( geometryViewDir + directLight.direction ) );
-  float white = 0.085 * exp( - 60.0 * ( tilt + 0.09 ) * ( tilt + 0.09 ) );
-  float tinted = 1.9 * exp( - 14.0 * ( tilt - 0.14 ) * ( tilt - 0.14 ) );
-  float share = facing * ( 0.4 + 0.6 * lit.x );
-  vec3 irradiance = share * ( 0.7 * sqrt( saturate( 1.0 - along * along ) ) + lit.y * tinted ) * directLight.color;
-  reflectedLight.directSpecular += share * lit.y * white * RECIPROCAL_PI * directLight.color;`;
-
-const GROWN = "varying vec3 fibre;\nvarying vec2 lit; // the share of light that comes between other hairs, and the strength of the highlights";
-
-/** @type {{vertex: any, light: any}} shader text in place of three's */
-const HAIR = {
-  vertex: [
-    [
-      "#include <common>",
-      `#include <common>
-attribute vec3 across;
+// No hair is drawn thinner than half a pixel, as one of the library's samples, or it would glitter: so many of the thinner ones are left out that the others
+// cover the same (`render/ribbons.py`). Edges are a pixel soft.
+/** @param {StageTable} packing @param {number} stride of what is looked up in the key lamp's shadow */
+const vertex = (packing, stride) => `
+#include <common>
+${DEVELOPED}
+${lighting(packing)}
+${CARRIED}
+attribute vec4 across; // mm from the midst to here, half of the breadth below which the hair is left out
 attribute vec3 along;
-attribute vec4 shaded;
+attribute vec4 shaded; // the share of light that comes between other hairs, the strength of the highlights
 uniform float pixels;
-varying float aside;
-varying vec2 strand;
-${GROWN}`,
-    ],
-    [
-      "#include <begin_vertex>",
-      `#include <begin_vertex>
-      vec3 midst = ( modelViewMatrix * vec4( position - across, 1.0 ) ).xyz;
-      float away = max( - midst.z, 0.001 );
-      float own = max( length( mat3( modelViewMatrix ) * across ) * pixels / away, 0.02 );
-      float least = max( own, 0.5 );
-      strand = vec2( least + 0.5, own / least );
-      aside = ( gl_VertexID & 1 ) == 0 ? 1.0 : - 1.0;
-      lit = shaded.xy;
-      fibre = normalize( mat3( modelViewMatrix ) * along );
-      vec3 breadth = cross( fibre, midst );
-      breadth *= aside * ( least + 0.5 ) * away / ( pixels * max( length( breadth ), 1e-6 ) );
-      transformedNormal = - midst + fibre * dot( fibre, midst );
-      vNormal = normalize( transformedNormal );`,
-    ],
-    ["#include <project_vertex>", "vec4 mvPosition = vec4( midst + breadth, 1.0 );\ngl_Position = projectionMatrix * mvPosition;"],
-  ],
-  light: [
-    [
-      "#include <lights_lambert_pars_fragment>",
-      THREE.ShaderChunk.lights_lambert_pars_fragment
-        .replace("float dotNL = saturate( dot( geometryNormal, directLight.direction ) );", "")
-        .replace("vec3 irradiance = dotNL * directLight.color;", FIBRE),
-    ],
-    ["#include <lights_fragment_end>", "irradiance *= lit.x;\n#include <lights_fragment_end>"],
-  ],
-};
-
-const QUICK = {
-  made: "varying vec3 grown;\n",
-  develop: "grown = developed( vColor.rgb * light + gloss );",
-  pixel: `
-varying float aside;
-varying vec2 strand;
+uniform float millimetres; // to a pixel
 void main() {
-  gl_FragColor = vec4( grown, ${SOLID} );
-}`,
-};
+  vec4 midst = modelMatrix * vec4( position - across.xyz, 1.0 );
+  if ( across.w < ${LEAST} * millimetres ) {
+    gl_Position = vec4( 2.0, 2.0, 2.0, 1.0 );
+    return;
+  }
+  vec3 place = midst.xyz * ${MM.toFixed(1)}, view = towards( place ), fibre = normalize( mat3( modelMatrix ) * along );
+  vec3 side = lib_facing_fibre( fibre, view );
+  float key = keyShare( place, ${stride} ), free = shaded.x;
+  vec3 light = color * lib_ambient_on( ambient, side, free );
+  for ( int k = 0; k < ${packing.light.lamps.length}; k ++ ) {
+    float share = ( k == 0 ? key : 1.0 ) * lib_between_fibres( free );
+    light += lib_lamp_on_fibre( color, lampColours[ k ], lampWays[ k ], fibre, side, view, share, shaded.y );
+  }
+  grown = developed( light );
+  vec3 seen = ( viewMatrix * midst ).xyz;
+  float away = max( - seen.z, 0.001 );
+  soft = max( length( mat3( modelMatrix ) * across.xyz ) * pixels / away, ${LEAST} ) + 0.5;
+  aside = ( gl_VertexID & 1 ) == 0 ? 1.0 : - 1.0;
+  vec3 breadth = cross( mat3( viewMatrix ) * fibre, seen );
+  seen += breadth * aside * soft * away / ( pixels * max( length( breadth ), 1e-6 ) );
+  gl_Position = projectionMatrix * vec4( seen, 1.0 );
+}`;
+
+const PIXEL = `
+${CARRIED}
+void main() {
+  gl_FragColor = vec4( grown, clamp( ( 1.0 - abs( aside ) ) * soft, 0.0, 1.0 ) );
+}`;
 
 /**
- * Hairs are lit at their vertices, at rest too, as in the library's own pictures: many lie over each pixel.
- * @returns {THREE.Material} whose `userData.pixels` is how many of the picture's pixels a length has at the same distance
+ * @param {StageTable} packing @param {Record<string, {value: any}>} light what `lighting` reads
+ * @returns {THREE.ShaderMaterial} whose uniforms are shared with `userData.quick`, the material for motion; `pixels` is how
+ *   many of the picture's pixels a length has at the same distance, `millimetres` how many a pixel has
  */
-export function hairMaterial() {
-  const flags = { side: THREE.DoubleSide, transparent: true, depthWrite: false, forceSinglePass: true };
-  const plain = new THREE.MeshLambertMaterial({ vertexColors: true, ...flags });
-  const uniforms = { pixels: { value: 1 } };
-  plain.userData.pixels = uniforms.pixels;
-  return quickened(plain, HAIR, QUICK, uniforms);
+export function hairMaterial(packing, light) {
+  /** @type {THREE.ShaderMaterialParameters} */
+  const shared = {
+    uniforms: { ...light, pixels: { value: 1 }, millimetres: { value: 0.3 } },
+    fragmentShader: PIXEL,
+    vertexColors: true,
+    toneMapped: false,
+    side: THREE.DoubleSide,
+    transparent: true,
+    depthWrite: false,
+    forceSinglePass: true,
+  };
+  const material = new THREE.ShaderMaterial({ ...shared, vertexShader: vertex(packing, 1) });
+  material.userData.quick = new THREE.ShaderMaterial({ ...shared, vertexShader: vertex(packing, 3) });
+  return material;
 }

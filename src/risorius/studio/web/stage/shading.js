@@ -8,7 +8,7 @@ import { LAMPS, MM } from "./geometry.js";
 /** @import {StageTable} from "../wire.js" */
 
 /**
- * The text for both shaders: `litSkin`, `litCloth`, `keyShare`, `grain`, `towards`.
+ * The text for both shaders: `litSkin`, `litCloth`, `keyShare`, `pastLips`, `enteringLight`, `grain`, `towards`.
  * @param {StageTable} packing
  */
 export function lighting({ shading, light }) {
@@ -24,6 +24,10 @@ uniform vec3 lampWays[ ${LAMPS} ];
 uniform vec3 lampColours[ ${LAMPS} ];
 uniform vec4 softness;
 uniform vec3 ambient[ 2 ];
+uniform mat3 headTurn;
+uniform vec3 pivot;
+uniform vec2 lipSpan;
+uniform vec4 lips[ ${shading.lips} ]; // height and depth of the upper and of the lower lip from one corner to the other
 struct Skin { vec3 albedo; vec3 soft; vec3 bumpy; vec3 view; vec4 reach; float free; float roughness; float strength; float curvature; };
 
 float heightAt( ivec3 cell ) {
@@ -66,6 +70,22 @@ float keyShare( vec3 place, int stride ) {
   }
   return total / weights;
 }
+float pastStrip( float x, float y, float z ) {
+  float along = clamp( ( x - lipSpan.x ) / ( lipSpan.y - lipSpan.x ), 0.0, 1.0 ) * ${(shading.lips - 1.001).toFixed(3)};
+  vec4 edges = mix( lips[ int( along ) ], lips[ int( along ) + 1 ], fract( along ) );
+  return lib_strip_share( x, y, z, lipSpan.x, lipSpan.y, edges.x, edges.y, edges.z, edges.w );
+}
+// The share of light that comes past the lips to a place in the mouth, and that of the lamps' light that goes so deep (mouth.py).
+vec2 pastLips( vec3 place ) {
+  vec3 p = ( place - pivot ) * headTurn + pivot;
+  float front = lips[ ${shading.lips / 2} ].y, z = max( p.z, front - FAUCES );
+  return vec2( lib_past_strips( pastStrip( p.x, p.y, z ), pastStrip( 0.5 * p.x, p.y, z ), front - z ), lib_lamps_behind( front - p.z ) );
+}
+vec3 enteringLight() {
+  vec3 total = vec3( 0.0 );
+  for ( int k = 0; k < int( FRONT ); k ++ ) total += lampColours[ k ] * clamp( dot( headTurn[ 2 ], lampWays[ k ] ), 0.0, 1.0 );
+  return total * WARM;
+}
 vec3 towards( vec3 place ) {
   return normalize( cameraPosition * ${MM.toFixed(1)} - place );
 }
@@ -103,11 +123,11 @@ vec3 litCloth( vec3 albedo, vec3 normal, vec3 view, vec4 reach, float free, floa
 }
 
 /**
- * What `lighting` reads, and how the head is turned; `shadowMap` is to be set.
+ * What `lighting` reads; `shadowMap`, `headTurn` and the lips are to be set.
  * @param {StageTable} packing @param {Uint8Array} tables the grain and the light that leaves skin, as `skin_formulas.py` packs them
  * @returns {Record<string, {value: any}>}
  */
-export function lightingUniforms({ light, shading, shadow }, tables) {
+export function lightingUniforms({ light, shading, shadow, pivot }, tables) {
   /** @param {"direction" | "colour"} name */
   const each = (name) => Array.from({ length: LAMPS }, (_, k) => new THREE.Vector3(...(light.lamps[k]?.[name] ?? [0, 0, 0])));
   const { grainTile, leaving } = texturesOf(shading, tables);
@@ -122,6 +142,9 @@ export function lightingUniforms({ light, shading, shadow }, tables) {
     lampColours: { value: each("colour") },
     softness: { value: new THREE.Vector4(...light.lamps.map(({ softness }) => softness)) },
     headTurn: { value: new THREE.Matrix3() },
+    pivot: { value: new THREE.Vector3(...pivot) },
+    lipSpan: { value: new THREE.Vector2(-1, 1) },
+    lips: { value: Array.from({ length: shading.lips }, () => new THREE.Vector4()) },
     ambient: { value: [new THREE.Vector3(...light.ground), new THREE.Vector3(...light.sky)] },
   };
 }

@@ -4,13 +4,10 @@
  */
 
 import * as THREE from "../vendor/three/three.module.min.js";
-import { SLOTS } from "./folds.js";
-import { DEVELOPED } from "./quick.js";
 import { lighting } from "./shading.js";
+import { DEVELOPED } from "./tone.js";
 /** @import {StageTable} from "../wire.js" */
 
-const STRONGEST = "2.0"; // gloss
-const WORN_OVER = "10.0"; // mm over which the file's colours go from skin to cloth
 const EVEN = 0.01; // a vertex' share of the key lamp is that of its triangles where it is nearer to all or nothing
 
 // What a vertex knows. Nearly exp( - 2 half_ ) is how much of each colour the blood leaves that a place gains.
@@ -34,13 +31,22 @@ const SMOOTH = `
 uniform vec3 cloth;
 uniform vec3 neck;
 Skin smoothSkin( vec3 colour, vec4 surface, vec4 reach, float hem, vec3 normal, vec3 view ) {
-  vec3 bare = mix( colour, neck, smoothstep( 0.0, 0.35, clamp( 0.5 + hem / ${WORN_OVER}, 0.0, 1.0 ) ) );
+  vec3 bare = mix( colour, neck, smoothstep( 0.0, 0.35, clamp( 0.5 + hem / HEM, 0.0, 1.0 ) ) );
   float free = surface.x * lib_collar_free( hem );
-  return Skin( bare, normal, normal, view, reach, free, surface.y, surface.z * ${STRONGEST}, surface.w * MAX_CURVATURE );
+  return Skin( bare, normal, normal, view, reach, free, surface.y, surface.z * STRONGEST, surface.w * MAX_CURVATURE );
+}
+// Light on skin and on the mouth's lining, which has what comes past the lips (skin.py).
+vec3 litFlesh( Skin skin, vec3 place, float key, float inner ) {
+  if ( inner <= INNER_MOUTH ) return litSkin( skin, key );
+  vec2 past = pastLips( place );
+  float seen = lib_spread_in_flesh( past.x );
+  skin.free = mix( skin.free, seen, inner );
+  return litSkin( skin, key * mix( 1.0, seen, inner ) ) + skin.albedo * enteringLight() * seen * inner * past.y;
 }
 `;
 
-const CARRIED = `
+/** @param {StageTable} packing */
+const carried = ({ folds }) => `
 varying vec3 tinted;
 varying vec3 place;
 varying vec3 facing;
@@ -50,18 +56,18 @@ varying vec3 within; // mm into the cloth, share of mouth interior, share of the
 varying vec3 resting;
 varying vec4 raised;
 flat varying vec4 regions;
-${each((slot) => `varying vec4 fold${slot};`)}
+${each(folds, (slot) => `varying vec4 fold${slot};`)}
 `;
 
 /** @param {StageTable} packing */
 const vertex = (packing) => `
 #include <common>
 ${lighting(packing)}
-${KNOWN}${CARRIED}
+${KNOWN}${carried(packing)}
 attribute vec3 rest;
 attribute vec4 foldHeight;
 attribute vec4 foldRegion;
-${each((slot) => `attribute vec4 foldPlace${slot};`)}
+${each(packing.folds, (slot) => `attribute vec4 foldPlace${slot};`)}
 void main() {
   tinted = perfused();
   place = position;
@@ -72,7 +78,7 @@ void main() {
   resting = rest;
   raised = foldHeight * ${packing.folds.step};
   regions = foldRegion;
-  ${each((slot) => `fold${slot} = foldPlace${slot};`)}
+  ${each(packing.folds, (slot) => `fold${slot} = foldPlace${slot};`)}
   gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
 }`;
 
@@ -80,8 +86,7 @@ void main() {
 const pixel = (packing) => `
 #include <common>
 ${lighting(packing)}
-${SMOOTH}${CARRIED}
-uniform mat3 headTurn;
+${SMOOTH}${carried(packing)}
 uniform float millimetres; // to a pixel
 uniform vec4 foldStyles[ ${packing.folds.styles.length} ]; // kind, furrow, shadow, share
 vec3 tilted( vec3 normal, vec3 slope ) {
@@ -118,7 +123,7 @@ void roughen( inout Skin skin, float inner ) {
 void crease( inout Skin skin, vec3 normal ) {
   vec3 slope = vec3( 0.0 );
   float deep = 0.0, blur = lib_covered_skin( millimetres, dot( normal, skin.view ) );
-  ${each((slot) => `fold( slope, deep, raised[ ${slot} ], regions[ ${slot} ], fold${slot}, blur );`)}
+  ${each(packing.folds, (slot) => `fold( slope, deep, raised[ ${slot} ], regions[ ${slot} ], fold${slot}, blur );`)}
   slope = headTurn * slope;
   slope -= normal * dot( slope, normal );
   deep = min( deep, 1.0 );
@@ -143,7 +148,7 @@ void main() {
     Skin skin = smoothSkin( tinted, surfaced, lampReach, within.x, normal, view );
     roughen( skin, within.y );
     if ( any( greaterThan( raised, vec4( FAINT ) ) ) ) crease( skin, normal );
-    light = litSkin( skin, key * mix( 1.0, skin.free, within.y ) );
+    light = litFlesh( skin, place, key, within.y );
   }
   if ( covered > 0.0 ) light = mix( light, worn( normal, view, key ), covered );
   gl_FragColor = vec4( light, 1.0 );
@@ -169,7 +174,7 @@ void main() {
   vec3 view = towards( position );
   float key = keyShare( position, 2 );
   Skin skin = smoothSkin( perfused(), surface, reach, hem, normal, view );
-  bare = developed( litSkin( skin, key * mix( 1.0, skin.free, worn.y ) ) );
+  bare = developed( litFlesh( skin, position, key, worn.y ) );
   dressed = developed( litCloth( cloth, normal, view, reach, surface.x, key ) );
   gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
 }`;
@@ -210,7 +215,7 @@ export function skinMaterial(packing, light) {
   return material;
 }
 
-/** @param {(slot: number) => string} line */
-function each(line) {
-  return Array.from({ length: SLOTS }, (_, slot) => line(slot)).join("\n  ");
+/** @param {{slots: number}} folds @param {(slot: number) => string} line */
+function each({ slots }, line) {
+  return Array.from({ length: slots }, (_, slot) => line(slot)).join("\n  ");
 }

@@ -11,7 +11,6 @@ import { Baked } from "./baked.js";
 import { View } from "./cameras.js";
 import { drawn } from "./fence.js";
 import { Fine } from "./fine.js";
-import { lightsOf } from "./lights.js";
 import { Overlay } from "./overlay.js";
 import { Sharpness } from "./sharpness.js";
 import { drawnBySoftware } from "./software.js";
@@ -28,7 +27,6 @@ export class Stage {
   #sharpness;
   /** @type {Backdrop | null} */
   #backdrop = null;
-  #lit = false;
   #asked = false;
   #drawing = false;
   #drawn = 0;
@@ -72,15 +70,6 @@ export class Stage {
     const still = (this.#still = new Still(fine, overlay));
     const [line, seen] = [() => this.line(), () => (still.shown && !this.#playing ? this.#seen() : null)];
     this.baked = new Baked(fine, overlay, { line, seen });
-  }
-
-  /**
-   * Light the stage, the first time.
-   * @param {import("../wire.js").StageLight} light as the server describes it
-   */
-  lit(light) {
-    if (!this.#lit) this.#scene.add(...lightsOf(light));
-    this.#lit = true;
   }
 
   /** Take up the page's colours. */

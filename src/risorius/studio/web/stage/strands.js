@@ -2,7 +2,7 @@
  * Hairs as ribbons: strands that follow one another, each of as many pairs of vertices, its left and its right
  * edge from root to tip. A machine without a graphics card draws fewer and straighter ones in motion.
  *
- * Ribbons are drawn with soft edges over what is behind them (`HAIR` in materials.js), so that those far away
+ * Ribbons are drawn with soft edges over what is behind them (`hair.js`), so that those far away
  * come first.
  */
 
@@ -58,22 +58,30 @@ export function widen(points, wide) {
 }
 
 /**
- * Have a mesh know of each vertex how far and where the ribbon reaches from its midst, in mm: `across`; and where its
- * strand runs, of unit length: `along`.
+ * Have a mesh know of each vertex how far and where the ribbon reaches from its midst, in mm: `across`, and in its last place
+ * half of the breadth of the thinnest hairs for which this one is left out (`render/ribbons.py`); and where its strand runs,
+ * of unit length: `along`.
  * @param {Mesh} mesh
  */
 export function asStrands(mesh) {
   const { attributes, index } = /** @type {any} */ (mesh.geometry);
   const { array } = attributes.position;
-  const across = new Float32Array(array.length);
-  for (let k = 0; k < array.length; k += 6) {
-    for (let axis = k; axis < k + 3; axis++) {
-      across[axis] = (array[axis] - array[axis + 3]) / 2;
-      across[axis + 3] = -across[axis];
+  const { pairs } = strandsOf(index.array);
+  const across = new Float32Array((4 * array.length) / 3);
+  for (let pair = 0, thinnest = 0; 6 * pair < array.length; pair++) {
+    const [from, to] = [6 * pair, 8 * pair];
+    for (let axis = 0; axis < 3; axis++) {
+      across[to + axis] = (array[from + axis] - array[from + axis + 3]) / 2;
+      across[to + axis + 4] = -across[to + axis];
     }
+    if (pair % pairs === 0) {
+      const spread = Math.max(((pair / pairs) * GOLDEN) % 1, 1e-6);
+      thinnest = Math.hypot(across[to], across[to + 1], across[to + 2]) / spread;
+    }
+    across[to + 3] = across[to + 7] = thinnest;
   }
-  mesh.geometry.setAttribute("across", new THREE.BufferAttribute(across, 3));
-  mesh.geometry.setAttribute("along", new THREE.BufferAttribute(directions(array, strandsOf(index.array).pairs), 3));
+  mesh.geometry.setAttribute("across", new THREE.BufferAttribute(across, 4));
+  mesh.geometry.setAttribute("along", new THREE.BufferAttribute(directions(array, pairs), 3));
 }
 
 /**

@@ -11,6 +11,15 @@ vec3 CustomToneMapping( vec3 color ) {
   return saturate( 1.30 * rolled / ( 1.0 + 0.30 * rolled ) );
 }`;
 
+/** For what is lit at its vertices: colours of the screen. */
+export const DEVELOPED = `
+#include <tonemapping_pars_fragment>
+#include <colorspace_pars_fragment>
+vec3 developed( vec3 light ) {
+  return sRGBTransferOETF( vec4( CustomToneMapping( light ), 1.0 ) ).rgb;
+}
+`;
+
 /** @param {THREE.WebGLRenderer} renderer */
 export function developAsFilm(renderer) {
   THREE.ShaderChunk.tonemapping_pars_fragment = THREE.ShaderChunk.tonemapping_pars_fragment.replace(
