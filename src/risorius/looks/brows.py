@@ -22,7 +22,7 @@ def brow_line(anatomy: Anatomy, t: Array) -> tuple[Array, Array, Array]:
     u = anatomy.unit
     x = (HEAD + (TAIL - HEAD) * t) * u
     rise = 5.6 * np.sin(np.clip(t / 0.68, 0.0, 1.0) * np.pi / 2) - 7.5 * np.clip(t - 0.68, 0.0, 1.0) ** 1.1
-    thickness = (3.3 * (1 - t**1.7) + 0.55) * np.minimum(1.0, 0.62 + 2.2 * t)
+    thickness = (3.7 * (1 - t**1.7) + 0.6) * np.minimum(1.0, 0.62 + 2.2 * t)
     return x, anatomy.eye_height + (HEIGHT + rise) * u, thickness * u
 
 
@@ -31,8 +31,8 @@ def brow_shade(anatomy: Anatomy) -> Array:
     x, y = np.abs(anatomy.skin[:, 0]), anatomy.skin[:, 1]
     t = (x / anatomy.unit - HEAD) / (TAIL - HEAD)
     _, centre, half = brow_line(anatomy, np.clip(t, 0.0, 1.0))
-    across = np.exp(-(((y - centre) / (half + 0.8)) ** 2))
-    ends = smoothstep(-0.06, 0.12, t) * (1 - smoothstep(0.9, 1.05, t))
+    across = np.exp(-(((y - centre) / (half + 0.6)) ** 4))
+    ends = smoothstep(-0.08, 0.2, t) * (1 - smoothstep(0.85, 1.05, t))
     return across * ends * (anatomy.skin[:, 2] > 0)
 
 
@@ -48,10 +48,10 @@ def grow_brows(anatomy: Anatomy, surface: Surface, colour: Array, skin: Array, c
     offset = np.clip(rng.normal(0.0, 0.5, count), -1.05, 1.05)
     # Hairs of the upper edge point down, those of the lower edge up: they meet along the brow's ridge.
     angle = (
-        50 * (1 - t) ** 2.2 + 10 - 30 * t - 20 * offset * smoothstep(0.05, 0.4, t) + rng.normal(0, 9, count)
+        50 * (1 - t) ** 2.2 + 12 - 34 * t - 24 * offset * smoothstep(0.05, 0.4, t) + rng.normal(0, 6, count)
     )
     length = (
-        (6.0 + 2.6 * rng.random(count))
+        (7.0 + 2.6 * rng.random(count))
         * (1 - 0.30 * t)
         * (0.5 + 0.5 * smoothstep(0.0, 0.3, t))
         * anatomy.unit
@@ -59,7 +59,7 @@ def grow_brows(anatomy: Anatomy, surface: Surface, colour: Array, skin: Array, c
     # Dark hairs glint; light ones that did so would stand out as dots.
     glint = 1.0 - min(1.0, float(colour.mean()) / _LIGHT)
     shade = (1.0 + glint * (0.2 + 0.9 * rng.random(count)))[:, None] * colour
-    faint = 0.10 + 0.42 * np.abs(offset) ** 1.5 + 0.40 * (1.0 - smoothstep(0.0, 0.28, t))
+    faint = 0.06 + 0.36 * np.abs(offset) ** 1.5 + 0.40 * (1.0 - smoothstep(0.0, 0.28, t))
     shade += np.clip(faint, 0.0, 0.8)[:, None] * (skin - shade)
     bend = rng.normal(-14, 8, count)
     sides = []
@@ -83,7 +83,7 @@ def _side(
         lift = 0.42 * (1 - 1.35 * way)
         curve.append(curve[-1] + step + lift * normal * 0.6)
     ways = np.linspace(0.0, 1.0, POINTS)
-    widths = np.tile(0.15 * (1 - 0.85 * ways**1.6) * np.minimum(1.0, 0.75 + ways), (len(place), 1))
+    widths = np.tile(0.17 * (1 - 0.85 * ways**1.6) * np.minimum(1.0, 0.75 + ways), (len(place), 1))
     return surface.root(
         triangles, weights, np.stack(curve, axis=1), widths, colour, np.full(len(place), 0.15), 0.25
     )

@@ -93,7 +93,7 @@ def skin_part(
     attributes = paint_skin(anatomy, looks, inside, curvature)
     under = attributes[:, ALBEDO : ALBEDO + 3]
     for shade, colour in (
-        (0.58 * brow_shade(anatomy), brows),
+        (0.66 * brow_shade(anatomy), brows),
         (0.6 * lash_shade(head, anatomy.skin), 0.35 * hair),
         (scalp_shade(anatomy, looks.hair_style), hair),
     ):
