@@ -7,6 +7,7 @@ from risorius.looks.attributes import OCCLUSION
 from risorius.looks.brows import brow_shade, grow_brows
 from risorius.looks.hair_styles import grow_hair
 from risorius.looks.lashes import grow_lashes, lash_shade
+from risorius.looks.locks import waved
 from risorius.looks.parts import hair_attributes
 from risorius.looks.scalp import flow, hair_density, hair_shade, inside_hairline, scalp_shade
 from risorius.looks.strands import Strands, root_frames
@@ -30,7 +31,7 @@ def density(anatomy):
 
 def test_the_face_is_bare_and_the_crown_is_covered(anatomy, density):
     p = anatomy.skin
-    face = (p[:, 1] < anatomy.eye_height + 40) & (p[:, 2] > -20)
+    face = (p[:, 1] < anatomy.eye_height + 40) & (p[:, 2] > -20) & (np.abs(p[:, 0]) < 55)
     assert density[face].max() == 0
     assert density[p[:, 1] > anatomy.top - 10].min() > 0.9
     assert density[anatomy.masks["ears"] > 0.3].max() == 0
@@ -38,6 +39,25 @@ def test_the_face_is_bare_and_the_crown_is_covered(anatomy, density):
 
 def test_the_hairline_is_soft(density):
     assert ((density > 0.05) & (density < 0.95)).sum() > 200
+
+
+def test_the_hairline_is_an_arch_over_the_forehead(anatomy):
+    """It falls towards the temples without a corner, or the forehead looks square."""
+    angle = np.radians(np.arange(0.0, 50.0, 5.0))
+    out = 95.0 * np.stack([np.sin(angle), np.zeros(10), np.cos(angle)], axis=1)
+    points = out + np.array([0.0, anatomy.eye_height, -72.0 * anatomy.unit])
+    fall = np.diff(inside_hairline(anatomy, points, uneven=0.0))
+    assert (fall >= 0.0).all()
+    assert 4.0 < fall[:7].sum() < 12.0
+    assert np.diff(fall).max() < 3.0
+
+
+def test_waves_begin_below_the_crown_and_leave_straight_hair_alone():
+    line = np.stack([np.full(40, 60.0), np.linspace(80.0, -120.0, 40), np.full(40, -70.0)], axis=1)[None]
+    assert waved(line, 0.0, 1.0) == pytest.approx(line)
+    moved = np.linalg.norm(waved(line, 1.0, 1.0) - line, axis=2)[0]
+    assert moved[:12].max() == 0.0
+    assert moved[-5:].min() > 4.0
 
 
 def test_combed_hair_lies_along_the_skin_and_back_from_the_face(anatomy, surface, density):
@@ -155,7 +175,7 @@ def test_skin_behind_chin_length_hair_is_in_its_shade_and_the_face_is_not(anatom
     assert taken[ears].mean() > 0.9
     assert around[ears].mean() > 0.7
     height = anatomy.skin[:, 1] - anatomy.eye_height
-    face = (np.abs(anatomy.skin[:, 0]) < 45) & (height < 40) & (anatomy.skin[:, 2] > 0)
+    face = (np.abs(anatomy.skin[:, 0]) < 45) & (height < 34) & (anatomy.skin[:, 2] > 0)
     assert taken[face].max() == 0
 
 

@@ -201,7 +201,8 @@ def test_a_draft_shows_what_other_pictures_show(model, face):
     error = np.abs(draft.render(frame).astype(int) - normal.render(frame))
     # Edges, which drafts do not smooth, say nothing about light.
     within = binary_erosion(surfaces(draft) == SKIN, iterations=2)
-    assert error.mean() < 3.0
+    # Of hair, other strands lie uppermost in a draft.
+    assert error.mean() < 3.5
     assert np.percentile(error[within], 99) < 24
 
 

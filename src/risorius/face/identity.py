@@ -31,7 +31,8 @@ class Looks:
     `skin`, `lips`, `lining` (inside of the mouth) and `cloth`; `hair` of head and lashes, and of the `brows`
     if these have no colour of their own; `iris` at the pupil and at the rim. `flush`, 0 to 2: how much redder
     or darker cheeks, nose, ears and lids are; `beard`, 0 to 1: how dark a shaved beard shows. `hair_style`:
-    one of `HAIR_STYLES`; `hairs` and `brow_hairs`: how many grow on the head, and on each brow.
+    one of `HAIR_STYLES`; `wave`, 0 to 1: from straight to wavy hair of chin length; `hairs` and `brow_hairs`:
+    how many grow on the head, and on each brow.
     """
 
     skin: ByteColour = (212, 165, 140)
@@ -40,6 +41,7 @@ class Looks:
     cloth: ByteColour = (52, 62, 78)
     hair: ByteColour = (58, 42, 32)
     hair_style: Annotated[str, Then(_known_style)] = HAIR_STYLES[0]
+    wave: Share = 0.6
     brows: ByteColour | None = None
     iris: tuple[ByteColour, ByteColour] = ((132, 112, 74), (74, 94, 104))
     flush: Annotated[float, Range(0.0, 2.0)] = 1.0

@@ -14,28 +14,31 @@ from .anatomy import Anatomy
 from .hairline import grow_hairline
 from .kept_hairs import kept_hairs
 from .medium_hair import grow_medium
+from .parting import aside
+from .scalp import Combed, flow
 from .short_hair import grow_short
 from .srgb import linear
 from .strands import Strands
 from .stubble import grow_stubble
 from .surface import Surface
 
-_Grow: TypeAlias = Callable[[Anatomy, Surface, Array, int], Strands]
+_Grow: TypeAlias = Callable[[Anatomy, Surface, Array, Looks], Strands]
 _STYLES: dict[str, _Grow] = {"short": grow_short, "medium": grow_medium, "shaved": grow_stubble}
-_EDGED = ("short", "medium")  # styles that begin with fine hairs
+# How the fine hairs lie with which a style begins.
+_EDGED: dict[str, Combed] = {"short": flow, "medium": aside}
 
 
 def grow_hair(anatomy: Anatomy, surface: Surface, colour: Array, looks: Looks) -> dict[str, Strands]:
     """Return the hair by part in the style of `looks`, of linear albedo `colour` (3,): none if bald."""
-    style, count = looks.hair_style, looks.hairs
+    style = looks.hair_style
     if style not in _STYLES:
         return {}
-    inputs = [*grown_on(anatomy, surface), colour, np.asarray(count)]
-    grow = partial(_STYLES[style], anatomy, surface, colour, count)
+    inputs = [*grown_on(anatomy, surface), colour, np.asarray([looks.hairs, looks.wave])]
+    grow = partial(_STYLES[style], anatomy, surface, colour, looks)
     grown = {"hair": kept_hairs(f"hair-{style}", inputs, grow)}
     if style in _EDGED:
         skin = linear(looks.skin)
-        edge = partial(grow_hairline, anatomy, surface, colour, skin, count)
+        edge = partial(grow_hairline, anatomy, surface, colour, skin, looks.hairs, _EDGED[style])
         grown["hairline"] = kept_hairs(f"hairline-{style}", [*inputs, skin], edge)
     return grown
 

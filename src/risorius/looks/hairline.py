@@ -8,7 +8,7 @@ from scipy.spatial import cKDTree
 from ..core.arrays import Array
 from .anatomy import Anatomy, smoothstep
 from .locks import height_over_skin
-from .scalp import flow, grow_roots, inside_hairline
+from .scalp import Combed, grow_roots, inside_hairline
 from .strands import Strands
 from .surface import Surface, flat
 
@@ -19,8 +19,10 @@ _WIDTH = 0.2  # mm at the root
 _FAINT = 0.6  # share of the skin in the colour of the outermost
 
 
-def grow_hairline(anatomy: Anatomy, surface: Surface, colour: Array, skin: Array, count: int) -> Strands:
-    """Return hairs of linear albedo `colour` (3,), over that of `skin` (3,).
+def grow_hairline(
+    anatomy: Anatomy, surface: Surface, colour: Array, skin: Array, count: int, combed: Combed
+) -> Strands:
+    """Return hairs of linear albedo `colour` (3,), over that of `skin` (3,), that lie as `combed` says.
 
     `count` is how many hairs a short style has. Hairs are finer than a pixel towards the edge: they take
     more of the skin's colour there, or each would be a dash.
@@ -39,7 +41,7 @@ def grow_hairline(anatomy: Anatomy, surface: Surface, colour: Array, skin: Array
     for k in range(1, POINTS):
         place = (
             curves[-1]
-            + flat(flow(anatomy, curves[-1], normal) + stray, normal) * (length / (POINTS - 1))[:, None]
+            + flat(combed(anatomy, curves[-1], normal) + stray, normal) * (length / (POINTS - 1))[:, None]
         )
         above, normal = height_over_skin(tree, surface, place)
         wanted = 0.25 + (0.8 + 2.6 * within) * (k / (POINTS - 1)) * rise

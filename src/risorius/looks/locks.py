@@ -6,11 +6,15 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..core.arrays import Array
+from .anatomy import smoothstep
+from .noise import noise_at
+from .scalp import AXIS
 from .surface import Surface, unit
 
-_LOCKS = 700
 _NEAREST = 12
-_EVEN = 0.35  # weight of even spacing against spacing by bends
+_SWING, _WAVELENGTH = 10.0, 96.0  # mm: of the waviest hair
+_AROUND = 80.0  # mm: radius of a circle around the skull's axis, along which the waves' phase changes
+_EVEN = 0.7  # weight of even spacing against spacing by bends
 
 
 def height_over_skin(tree: cKDTree, surface: Surface, places: Array) -> tuple[Array, Array]:
@@ -74,14 +78,20 @@ def _at_shares(values: Array, shares: Array, points: int) -> Array:
 
 
 def gather_locks(
-    curves: Array, length: Array, amount: Array, rng: np.random.Generator
+    curves: Array,
+    length: Array,
+    amount: Array,
+    rng: np.random.Generator,
+    locks: int = 700,
+    late: float = 1.3,
 ) -> tuple[Array, Array]:
-    """Return hairs moved by `amount` (S,) towards their lock's guide, and each hair's shade (S,).
+    """Return hairs moved by `amount` (S,) towards the guide of one of `locks`, and each hair's shade (S,).
 
-    Tips move more than roots. The shade is a factor on the colour, one for each lock.
+    Tips move more than roots: as the power `late` of the way along the hair. The shade is a factor on the
+    colour, one for each lock.
     """
     count, points = curves.shape[:2]
-    guides = rng.permutation(count)[: min(_LOCKS, count)]
+    guides = rng.permutation(count)[: min(locks, count)]
     middle = curves[:, points // 2]
     _, mine = cKDTree(middle[guides]).query(middle)
     way = np.linspace(0.0, 1.0, points)[None, :, None]
@@ -89,5 +99,23 @@ def gather_locks(
     wanted = (
         offset[guides][mine] * (length / length[guides][mine])[:, None, None] + curves[guides][mine][:, :1]
     )
-    drawn = curves + 0.6 * amount[:, None, None] * way**1.3 * (wanted - curves)
+    drawn = curves + 0.6 * amount[:, None, None] * way**late * (wanted - curves)
     return drawn, 0.82 + 0.36 * rng.random(len(guides))[mine]
+
+
+def waved(curves: Array, wave: float, u: float) -> Array:
+    """Return curves (S, P, 3) that swing to and fro by `wave`, 0..1, the more the further from the root.
+
+    `u` is the scale of the face.
+    """
+    steps = np.linalg.norm(np.diff(curves, axis=1), axis=2)
+    along = np.pad(np.cumsum(steps, axis=1), ((0, 0), (1, 0))) / u
+    ahead = unit(np.gradient(curves, axis=1))
+    outwards = unit((curves - [0.0, 0.0, AXIS * u]) * [1.0, 0.0, 1.0])
+    # Hairs that hang beside one another swing together.
+    phase = 1.3 * noise_at(_AROUND * outwards[:, -1], 55.0)[:, None]
+    turn = (2.0 * np.pi * (along - along[:, -1:]) / _WAVELENGTH + phase)[..., None]
+    swing = (_SWING * wave * u * smoothstep(60.0, 150.0, along))[..., None]
+    return np.asarray(
+        curves + swing * (np.sin(turn) * unit(np.cross(ahead, outwards)) + 0.6 * np.cos(turn) * outwards)
+    )

@@ -9,9 +9,11 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..core.arrays import Array
+from ..face.identity import Looks
 from .anatomy import Anatomy, smoothstep
-from .locks import gather_locks, height_over_skin, respaced, smoothed
+from .locks import gather_locks, height_over_skin, respaced, smoothed, waved
 from .noise import noise_at
+from .parting import PARTING, beside_parting, combed, near_whorl, parted
 from .scalp import (
     AXIS,
     FACE,
@@ -26,101 +28,87 @@ from .scalp import (
 from .strands import Strands
 from .surface import Surface, flat, unit
 
-POINTS = 10
+POINTS = 13
 _STEPS = 28  # steps of a hair's path, from which its points are chosen
 _SEED = 45
-_SHARE = 0.42  # longer hairs are drawn wider and in smaller number
-_BESIDE = 5  # a hair with fewer points of others near it is alone
+_SHARE = 0.34  # longer hairs are drawn wider and in smaller number
 _SOFT = math.radians(3.0)  # how softly hair is held off the face
 _FINE = math.radians(-4.5), math.radians(1.5)  # where hairs that lie over the face's edge are finer: wisps
-_CROSSED = math.radians(7.0)  # how far a hair may lie over the face's edge
+_CROSSED = math.radians(1.5)  # how far a hair may lie over the face's edge
 # How far hair on the cheeks turns inwards and forwards, and by which share it is flatter.
 _INWARDS, _FORWARDS, _FLATTER = 0.45, 0.1, 0.7
-_PARTING = -24.0  # mm: x of the parting
+_LOCKS, _DRAWN, _LATE = (
+    400,
+    1.2,
+    2.0,
+)  # the number of locks, and how much and how late hairs are drawn to them
 
 
-def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -> Strands:
-    """Return hairs of linear albedo `colour` (3,); `count` is how many hairs a short style has."""
+def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, looks: Looks) -> Strands:
+    """Return hairs of linear albedo `colour` (3,), fewer than `looks.hairs`: longer ones are drawn wider."""
     rng = np.random.default_rng(_SEED)
     front = 1.0 - smoothstep(4.0, 26.0, inside_hairline(anatomy, surface.points))
     density = styled_density(anatomy, surface.points, "medium")
-    # At the front and the parting no other hairs lie over the roots: there must be more.
-    density *= 1.0 + 1.4 * front + 3.0 * _parted(anatomy, surface.points)
-    each = round(_SHARE * count) // LAYERS
+    # At the front, the parting and the whorl no other hairs lie over the roots: there must be more.
+    spread = parted(anatomy, surface.points) + near_whorl(anatomy, surface.points)
+    density *= 1.0 + 2.2 * front + 3.0 * spread
+    each = round(_SHARE * looks.hairs) // LAYERS
     triangles, weights = grow_layers(anatomy, surface, density, each, _SEED)
     count = len(triangles)
     origin, normal = surface.at(triangles, weights)
     layer = layer_heights(count, rng) ** 0.45
-    length = _lengths(anatomy, origin) * (0.86 + 0.14 * rng.random(count) ** 0.6)
+    # Cut in layers: the outer hairs are shorter, and locks end at different heights.
+    cut = 1.02 - 0.05 * layer + 0.012 * noise_at(origin, 22.0)
+    length = _lengths(anatomy, origin) * cut * (0.95 + 0.05 * rng.random(count) ** 0.6)
     curves = smoothed(_hang(anatomy, surface, HairRoots(origin, normal, length, layer), rng), 8)
     within = inside_hairline(anatomy, origin)
-    curves, lock = gather_locks(curves, length, 0.45 * smoothstep(0.0, 18.0, within), rng)
+    curves = waved(curves, looks.wave, anatomy.unit)
+    curves, lock = gather_locks(curves, length, _DRAWN * smoothstep(0.0, 18.0, within), rng, _LOCKS, _LATE)
     kept = _in_place(anatomy, curves)
     triangles, weights, curves = triangles[kept], weights[kept], curves[kept]
     count, layer, lock, within = len(curves), layer[kept], lock[kept], within[kept]
     curves, way = respaced(curves, POINTS)
-    shade = (0.74 + 0.36 * rng.random(count)) * lock * (1.5 - 0.5 * smoothstep(0.0, 12.0, within))
+    shade = (0.82 + 0.26 * rng.random(count)) * lock * (1.5 - 0.5 * smoothstep(0.0, 12.0, within))
     fine = 0.34 + 0.66 * smoothstep(0.0, 14.0, within)
     fine *= _beside_face(anatomy, curves)
-    widths = 0.78 * fine[:, None] * (1.0 - 0.8 * way**5)
-    depths = 0.6 * (1.0 - layer) * smoothstep(2.0, 14.0, within)
-    parted = _parted(anatomy, curves[:, 0])
-    depths *= 1.0 - parted
+    widths = 0.85 * fine[:, None] * (1.0 - 0.85 * way**6)
+    depths = 0.45 * (1.0 - layer) * smoothstep(2.0, 14.0, within)
+    bare = parted(anatomy, curves[:, 0])
+    depths *= 1.0 - bare
     hairs = surface.root(
-        triangles, weights, curves, widths, shade[:, None] * colour, depths, 1.0, 0.75 * parted
+        triangles, weights, curves, widths, shade[:, None] * colour, depths, 1.0, 0.75 * bare
     )
     # Hair from the nape shows beside the neck.
     return dataclasses.replace(hairs, behind=-2.0)
 
 
-def _parted(anatomy: Anatomy, points: Array) -> Array:
-    """Return how near, 0..1, points (n, 3) of the scalp are to the parting, which runs over the crown."""
-    u = anatomy.unit
-    beside = np.exp(-(((points[:, 0] / u - _PARTING) / 12.0) ** 2))
-    return beside * smoothstep(30.0 * u, 50.0 * u, points[:, 1] - anatomy.eye_height)
-
-
 def _in_place(anatomy: Anatomy, curves: Array) -> Array:
     """Return which of the hairs `curves` (S, P, 3) neither hang alone below the others nor on the forehead
-    and the temples, nor stand off the crown.
+    and the temples.
 
     There, between single hairs, skin would shine through as specks.
     """
     places = curves[:, ::3].reshape(-1, 3)
-    high = places[:, 1] > anatomy.eye_height + 40.0 * anatomy.unit
-    high &= np.abs(places[:, 0]) > 26.0 * anatomy.unit
     angle, _, least = _around(anatomy, places)
-    bare = (high & (inside_hairline(anatomy, places) < 0.0)) | (angle < least - _CROSSED)
+    bare = angle < least - _CROSSED
     is_bare = bare.reshape(len(curves), -1).any(axis=1)
-    hangs_alone = curves[..., 1].min(axis=1) < hair_ends(anatomy) - 14.0 * anatomy.unit
-    return np.asarray(~(is_bare | hangs_alone | _stands_off(anatomy, curves)))
+    hangs_alone = curves[..., 1].min(axis=1) < hair_ends(anatomy) - 34.0 * anatomy.unit
+    return np.asarray(~(is_bare | hangs_alone))
 
 
 def _beside_face(anatomy: Anatomy, curves: Array) -> Array:
     """Return by which factors (S,) hairs `curves` (S, P, 3) are finer that lie over the face's edge."""
     angle, _, least = _around(anatomy, curves.reshape(-1, 3))
     crossed = (angle - least).reshape(len(curves), -1).min(axis=1)
-    return 0.35 + 0.65 * smoothstep(*_FINE, crossed)
-
-
-def _stands_off(anatomy: Anatomy, curves: Array) -> Array:
-    """Return which of the hairs `curves` (S, P, 3) run over the crown with no others beside them."""
-    over = curves[..., 1] > anatomy.eye_height + 70.0 * anatomy.unit
-    if not over.any():
-        return np.zeros(len(curves), dtype=bool)
-    places = curves[over]
-    beside = cKDTree(places).query(places, k=min(_BESIDE + 1, len(places)))[0][:, -1]
-    alone = np.zeros(over.shape, dtype=bool)
-    alone[over] = beside > 4.5 * anatomy.unit
-    return np.asarray(alone.any(axis=1))
+    return 0.5 + 0.5 * smoothstep(*_FINE, crossed)
 
 
 def _lengths(anatomy: Anatomy, origin: Array) -> Array:
     """Return lengths in mm (S,) that let all hair end a little above the chin."""
     u = anatomy.unit
-    end = hair_ends(anatomy)
+    end = hair_ends(anatomy) - 10.0 * u
     high = smoothstep(20.0 * u, 90.0 * u, origin[:, 1] - anatomy.eye_height)
-    away = np.where(origin[:, 0] > _PARTING * u, -1.0, 1.0)
+    away = np.where(origin[:, 0] > PARTING * u, -1.0, 1.0)
     across = np.clip(72.0 * u + away * origin[:, 0], 0.0, None)
     return np.asarray(np.maximum(1.04 * (origin[:, 1] - end) + 0.62 * high * across, 24.0 * u))
 
@@ -131,37 +119,44 @@ def _hang(anatomy: Anatomy, surface: Surface, roots: HairRoots, rng: np.random.G
     skull = anatomy.masks["ears"] < 0.05
     smooth = Surface(surface.points[skull], surface.normals[skull], surface.triangles)
     tree = cKDTree(smooth.points)
-    stray = rng.normal(0.0, 0.05, origin.shape)
-    volume = (7.0 + 9.0 * layer) * anatomy.unit * (0.35 + 0.65 * smoothstep(0.0, 20.0, length))
-    # Hair lies flat at the parting and rises away from it.
-    volume *= 0.5 + 0.5 * smoothstep(0.0, 34.0, np.abs(origin[:, 0] - _PARTING * anatomy.unit))
-    volume *= 0.5 + 0.5 * smoothstep(-2.0, 16.0, inside_hairline(anatomy, origin))
+    stray = rng.normal(0.0, 0.03, origin.shape)
+    u = anatomy.unit
+    volume = (6.0 + 5.0 * layer) * u
     curves, step = [origin], (length / _STEPS)[:, None]
     for k in range(1, _STEPS + 1):
         way = k / _STEPS
         place = curves[-1] + step * unit(_ahead(anatomy, curves[-1], normal) + stray)
         above, normal = height_over_skin(tree, smooth, place)
-        rise = np.sin(np.pi / 2 * min(1.0, 3.2 * way)) * (1.0 - _FLATTER * _on_the_cheeks(anatomy, place))
-        wanted = volume * rise + 0.3 + _over_ears(anatomy, place)
-        lying = smoothstep(-10.0, 30.0, place[:, 1] - anatomy.eye_height)
+        rise = np.sin(np.pi / 2 * min(1.0, 3.4 * way)) * (1.0 - _FLATTER * _on_the_cheeks(anatomy, place))
+        thick = (volume + _lift(anatomy, place)) * beside_parting(anatomy, place)
+        wanted = thick * rise + 0.3 + _over_ears(anatomy, place)
+        lying = _lying(anatomy, place)
         # Hair never enters the head, and does not stand off it where it lies on the skull.
         shift = np.maximum(wanted - above, 0.0) + lying * np.minimum(wanted - above, 0.0)
         curves.append(_off_face(anatomy, place + shift[:, None] * normal))
     return np.stack(curves, axis=1)
 
 
+def _lying(anatomy: Anatomy, place: Array) -> Array:
+    """Return how far, 0..1, hair at places (S, 3) lies on the head: lower at the back than at the sides."""
+    u = anatomy.unit
+    lower = 45.0 * u * smoothstep(-105.0 * u, -150.0 * u, place[:, 2])
+    return smoothstep(-10.0 * u, 30.0 * u, place[:, 1] - anatomy.eye_height + lower)
+
+
+def _lift(anatomy: Anatomy, place: Array) -> Array:
+    """Return by how many mm (S,) hair at places (S, 3) rises over the crown, more behind than in front."""
+    u = anatomy.unit
+    high = smoothstep(35.0 * u, 80.0 * u, place[:, 1] - anatomy.eye_height)
+    behind = 0.4 + 0.6 * smoothstep(20.0 * u, -40.0 * u, place[:, 2])
+    return np.asarray(9.0 * u * high * behind)
+
+
 def _ahead(anatomy: Anatomy, place: Array, normal: Array) -> Array:
     """Return the unit directions (S, 3) in which hair continues from places (S, 3)."""
-    u = anatomy.unit
-    aside = np.tanh((place[:, 0] - _PARTING * u) / (10.0 * u))
-    high = smoothstep(35.0 * u, 88.0 * u, place[:, 1] - anatomy.eye_height)
-    wave = np.stack([noise_at(place + shift, 60.0) for shift in (0.0, 91.0, 57.0)], axis=1)
-    back = 1.0 - smoothstep(-40.0 * u, 10.0 * u, place[:, 2])
-    combed = np.stack([aside * high, -1.1 * (1.0 - high), -0.4 * high * back - 0.06], axis=1)
-    combed = unit(combed) + 0.06 * wave
-    combed += _turned_in(anatomy, place) + _to_the_cheeks(anatomy, place)
-    lying = smoothstep(-10.0, 30.0, place[:, 1] - anatomy.eye_height)[:, None]
-    return unit(lying * flat(combed, normal) + (1.0 - lying) * combed)
+    ways = combed(anatomy, place) + _turned_in(anatomy, place) + _to_the_cheeks(anatomy, place)
+    lying = _lying(anatomy, place)[:, None]
+    return unit(lying * flat(ways, normal) + (1.0 - lying) * ways)
 
 
 def _over_ears(anatomy: Anatomy, place: Array) -> Array:
@@ -193,9 +188,9 @@ def _to_the_cheeks(anatomy: Anatomy, place: Array) -> Array:
 def _turned_in(anatomy: Anatomy, place: Array) -> Array:
     """Return what directions (S, 3) of hair at places (S, 3) gain towards the neck: ends turn in."""
     u = anatomy.unit
-    low = smoothstep(float(anatomy.mouth[1]) + 22.0 * u, anatomy.chin + 4.0 * u, place[:, 1])
+    low = smoothstep(float(anatomy.mouth[1]) + 16.0 * u, anatomy.chin + 4.0 * u, place[:, 1])
     inwards = np.stack([-place[:, 0], np.zeros(len(place)), AXIS * u - place[:, 2]], axis=1)
-    return 0.55 * low[:, None] * unit(inwards)
+    return 1.1 * low[:, None] * unit(inwards)
 
 
 def _off_face(anatomy: Anatomy, place: Array) -> Array:

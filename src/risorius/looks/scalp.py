@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -12,18 +13,21 @@ from .noise import noise_at
 from .surface import Surface, flat, unit
 
 # Heights of the hairline over the eyes in mm, by the angle from the front around an axis through the skull.
-_ANGLES = (0, 15, 30, 42, 49, 54, 60, 66, 71, 77, 81, 88, 97, 103, 109, 118, 132, 150, 180)
-_HEIGHTS = (61, 61, 61, 58, 49, 38, 27, 10, -6, -14, 4, 8, 7, -6, -28, -40, -52, -62, -66)
+_ANGLES = (0, 10, 20, 28, 35, 41, 47, 53, 59, 66, 71, 77, 81, 88, 97, 103, 109, 118, 132, 150, 180)
+_HEIGHTS = (56, 56, 55, 52.5, 49, 45, 39, 32, 22, 8, -6, -14, 4, 8, 7, -6, -28, -40, -52, -62, -66)
 AXIS = -72.0  # mm: z of that axis
 # Heights over the eyes in mm, and the angle from the front within which no hair of chin length hangs there.
-FACE = ((-45.0, -12.0, 10.0, 30.0, 46.0, 56.0, 61.0), (46.0, 49.0, 51.0, 52.0, 50.0, 44.0, 0.0))
+FACE = (
+    (-45.0, -12.0, 10.0, 25.0, 36.0, 45.0, 52.0, 57.0, 59.0),
+    (43.0, 46.0, 48.0, 46.5, 42.0, 34.0, 23.0, 9.0, 0.0),
+)
 LAYERS = 4
 # How far, in mm, hair of each style stands out over the skin beside it.
 _THICK = {"short": 16.0, "medium": 20.0, "shaved": 0.0, "bald": 0.0}
 # Share of the light that hair takes from what lies below it: some comes through between the hairs.
 _BURIED = 0.75
 # How much the scalp is darkened under each style of hair.
-_UNDER = {"short": 0.9, "medium": 0.98, "shaved": 0.8, "bald": 0.0}
+_UNDER = {"short": 0.9, "medium": 0.98, "shaved": 0.92, "bald": 0.0}
 # mm inside the hairline over which hair of each style begins, so that its edge has no hairs alone: scratches.
 EDGES = {"short": (0.0, 6.0), "medium": (1.0, 8.0)}
 # mm inside the even hairline over which that shade rises: slowly, as skin knows it at few points, and where
@@ -108,8 +112,14 @@ def _behind_hair(anatomy: Anatomy) -> Array:
     free = np.interp((skin[:, 1] - anatomy.eye_height) / u, *FACE)
     end = hair_ends(anatomy)
     height = smoothstep(end - 12.0 * u, end + 8.0 * u, skin[:, 1])
-    height *= smoothstep(36.0 * u, 16.0 * u, skin[:, 1] - anatomy.eye_height)
+    height *= smoothstep(58.0 * u, 44.0 * u, skin[:, 1] - anatomy.eye_height)
+    # On the scalp the roots themselves are seen between hairs.
+    height *= 1.0 - 0.5 * _hidden(anatomy, "medium")
     return np.asarray(smoothstep(-2.0, 5.0, angle - free) * height)
+
+
+Combed: TypeAlias = Callable[[Anatomy, Array, Array], Array]
+"""A style's directions (n, 3) of hair along the skin, by points (n, 3) and the skin's normals (n, 3)."""
 
 
 def flow(anatomy: Anatomy, points: Array, normals: Array) -> Array:
@@ -121,7 +131,7 @@ def flow(anatomy: Anatomy, points: Array, normals: Array) -> Array:
     # The parting is off the middle; hair leans away from it on both sides.
     lean = np.tanh((points[:, 0] + 30.0 * u) / (18.0 * u))
     combed = np.stack(
-        [0.62 * lean * high + 0.25 * side * (1 - high), -0.9 * (1 - high) - 0.6 * back, -1.0 + 0.5 * back],
+        [0.85 * lean * high + 0.25 * side * (1 - high), -0.9 * (1 - high) - 0.6 * back, -0.85 + 0.35 * back],
         axis=1,
     )
     wave = np.stack([noise_at(points + shift, 45.0) for shift in (0.0, 91.0, 57.0)], axis=1)

@@ -6,6 +6,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..core.arrays import Array
+from ..face.identity import Looks
 from .anatomy import Anatomy, smoothstep
 from .locks import gather_locks, height_over_skin, smoothed
 from .scalp import LAYERS, HairRoots, flow, grow_layers, inside_hairline, layer_heights, styled_density
@@ -16,14 +17,14 @@ POINTS = 6
 _SEED = 21
 
 
-def grow_short(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -> Strands:
-    """Return `count` hairs of linear albedo `colour` (3,)."""
+def grow_short(anatomy: Anatomy, surface: Surface, colour: Array, looks: Looks) -> Strands:
+    """Return `looks.hairs` hairs of linear albedo `colour` (3,)."""
     rng = np.random.default_rng(_SEED)
     density = styled_density(anatomy, surface.points, "short")
     behind = smoothstep(-115.0, -150.0, surface.points[:, 2])
     front = 1.0 - smoothstep(4.0, 26.0, inside_hairline(anatomy, surface.points))
     density = density * (1.0 - 0.5 * behind) * (1.0 + 1.2 * front)
-    triangles, weights = grow_layers(anatomy, surface, density, count // LAYERS, _SEED)
+    triangles, weights = grow_layers(anatomy, surface, density, looks.hairs // LAYERS, _SEED)
     count = len(triangles)
     origin, normal = surface.at(triangles, weights)
     within = inside_hairline(anatomy, origin)
@@ -43,8 +44,9 @@ def _lengths(anatomy: Anatomy, origin: Array, within: Array) -> Array:
     """Return lengths (S,) in mm: long on top, short at sides and neck, shorter still at the hairline."""
     u = anatomy.unit
     high = smoothstep(38.0 * u, 84.0 * u, origin[:, 1] - anatomy.eye_height)
-    edge = 0.45 + 0.55 * smoothstep(0.0, 12.0 * u, within)
-    return np.asarray((8.0 + 37.0 * high) * edge * u)
+    edge = 0.5 + 0.5 * smoothstep(0.0, 12.0 * u, within)
+    behind = smoothstep(-80.0 * u, -140.0 * u, origin[:, 2])
+    return np.asarray((9.0 + 43.0 * high * (1.0 - 0.45 * behind)) * edge * u)
 
 
 def _walk(anatomy: Anatomy, surface: Surface, roots: HairRoots, rng: np.random.Generator) -> Array:
@@ -53,7 +55,10 @@ def _walk(anatomy: Anatomy, surface: Surface, roots: HairRoots, rng: np.random.G
     u = anatomy.unit
     tree = cKDTree(surface.points)
     high = smoothstep(38.0 * u, 84.0 * u, origin[:, 1] - anatomy.eye_height)
-    volume = (1.2 + 16.0 * high * smoothstep(0.0, 25.0 * u, inside_hairline(anatomy, origin) + 14 * high)) * u
+    # Hair stands highest over the forehead, and lies flat at the back.
+    behind = smoothstep(-60.0 * u, -130.0 * u, origin[:, 2])
+    inside = smoothstep(-4.0 * u, 16.0 * u, inside_hairline(anatomy, origin))
+    volume = (1.2 + (17.0 - 9.0 * behind) * high * inside) * u
     height = volume * (0.25 + 0.75 * layer)
     stray = rng.normal(0.0, 0.10, origin.shape)
     curves, ahead = [origin], flow(anatomy, origin, normal)

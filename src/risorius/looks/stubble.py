@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import Array
+from ..face.identity import Looks
 from .anatomy import Anatomy, smoothstep
 from .scalp import flow, grow_roots, hair_density, inside_hairline
 from .strands import Strands
@@ -14,9 +15,9 @@ POINTS = 3
 _SEED = 33
 
 
-def grow_stubble(anatomy: Anatomy, surface: Surface, colour: Array, count: int) -> Strands:
-    """Return `count` hairs of linear albedo `colour` (3,), finer and sparser towards the hairline."""
-    rng = np.random.default_rng(_SEED)
+def grow_stubble(anatomy: Anatomy, surface: Surface, colour: Array, looks: Looks) -> Strands:
+    """Return `looks.hairs` hairs of linear albedo `colour` (3,), finer and sparser towards the hairline."""
+    rng, count = np.random.default_rng(_SEED), looks.hairs
     density = hair_density(anatomy, surface.points, anatomy.masks["ears"]) ** 1.4
     triangles, weights = grow_roots(anatomy, surface, density, count, _SEED)
     origin, normal = surface.at(triangles, weights)
