@@ -296,10 +296,7 @@ def _value(polynomial: _Sum | float, controls: Mapping[str, Array]) -> Array | f
     if isinstance(polynomial, float):
         return polynomial
     value = controls[polynomial.control] * _value(polynomial.inner, controls)
-    rest = _value(polynomial.rest, controls)
-    if isinstance(rest, float):
-        return np.add(value, rest, out=value) if rest else value
-    return np.add(value, rest, out=value)
+    return value + _value(polynomial.rest, controls) if polynomial.rest else value
 
 
 @lru_cache(maxsize=256)
