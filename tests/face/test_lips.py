@@ -11,6 +11,7 @@ from risorius.core.articulators import SEAL_MM
 from risorius.face.contact import Contacts, find_contacts
 from risorius.face.measure import Gauge
 from risorius.face.mouth import Mouth, TeethEdge
+from risorius.face.plate import nearby, response, stiffness
 from tests.profiles import examples
 
 from .conftest import EMOTIONS, MOUTH_MUSCLES, values_of
@@ -201,3 +202,12 @@ def test_rounded_lips_open_in_the_middle_alone(face, head):
     x, gap = np.abs(found.x[:count]), found.gap[:count]
     assert gap[x < 0.1 * half].min() > 1.5
     assert gap[(x > 0.55 * half) & (x < 0.65 * half)].min() < 0.7
+
+
+def test_single_precision_of_the_compliance_moves_no_point_by_a_hundred_thousandth(solver, head, monkeypatch):
+    values = values_of({"lip_seal": 0.7, "mentalis": 0.4, "masseter": 0.1})
+    single, mouth = solver.solve(values).skin, Mouth.of(head)
+    near = nearby(head.rest, mouth.matrix @ head.rest)
+    plate = response(stiffness(len(head.rest), head.quads), mouth.matrix, near)
+    monkeypatch.setattr(solver._lips, "_compliance", plate.compliance)
+    assert np.abs(solver.solve(values).skin - single).max() < 1e-5

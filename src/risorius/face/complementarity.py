@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..core.arrays import Array, IntArray
+from ..core.arrays import Array, FloatArray, IntArray
 from ..core.kernels.jit import kernel, summing_kernel
 
 # A little softness in the diagonal keeps redundant gaps (neighbours on a stiff lip) from opposing each other.
@@ -41,7 +41,7 @@ class Workspace(NamedTuple):
         return cls(np.zeros(points), np.zeros((gaps, gaps)), np.zeros(gaps), np.zeros(gaps))
 
 
-def solve_gaps(gaps: Gaps, compliance: Array, sweeps: int, work: Workspace, force: Array) -> None:
+def solve_gaps(gaps: Gaps, compliance: FloatArray, sweeps: int, work: Workspace, force: Array) -> None:
     """Add to `force` (n,) the pushes along one axis that bring every gap between `low` and `high`.
 
     `compliance` (n, n) is the displacement of each point per unit push at each point. A gap that lies within
@@ -53,7 +53,7 @@ def solve_gaps(gaps: Gaps, compliance: Array, sweeps: int, work: Workspace, forc
 
 
 @summing_kernel
-def _couple(points: IntArray, weight: Array, compliance: Array, moved: Array, matrix: Array) -> None:
+def _couple(points: IntArray, weight: Array, compliance: FloatArray, moved: Array, matrix: Array) -> None:
     """Write the opening of each gap per unit push at each other one to `matrix`, which is symmetric."""
     for i in range(len(points)):
         p, q, r, s = points[i, 0], points[i, 1], points[i, 2], points[i, 3]
