@@ -41,12 +41,47 @@ class SparseRows(NamedTuple):
         return out
 
 
+class AlikeRows(NamedTuple):
+    """The rows of a sparse matrix (n, m) of few different weights: the `number` of one takes a byte.
+
+    Row i has `weights[number[start[i]:start[i + 1]]]` at `column[…]`.
+    """
+
+    start: UInt32Array
+    column: UIntArray
+    number: UIntArray
+    weights: Array
+
+    @classmethod
+    def of(cls, matrix: sp.csr_matrix) -> AlikeRows:
+        """Take the rows of a CSR matrix."""
+        weights, number = np.unique(matrix.data, return_inverse=True)
+        start, column = matrix.indptr.astype(np.uint32), short(matrix.indices)
+        return cls(start, column, number.astype(np.uint8 if len(weights) <= 256 else np.uint32), weights)
+
+    def times(self, points: Array, out: Array) -> Array:
+        """Write the product with `points` (m, 4) to `out` (n, 4) and return it, as `SparseRows` does."""
+        _times_alike(*self, points, out)
+        return out
+
+
 @lean_kernel
 def _times(start: IntArray, column: UIntArray, weight: Array, points: Array, out: Array) -> None:
     for i in range(len(out)):
         total = four(0.0)
         for e in range(start[i], start[i + 1]):
             total += weight[e] * row(points, column[e])
+        set_row(out, i, total)
+
+
+@lean_kernel
+def _times_alike(
+    start: IntArray, column: UIntArray, number: UIntArray, weights: Array, points: Array, out: Array
+) -> None:
+    for i in range(len(out)):
+        total = four(0.0)
+        for e in range(start[i], start[i + 1]):
+            total += weights[number[e]] * row(points, column[e])
         set_row(out, i, total)
 
 
@@ -65,12 +100,20 @@ def carry(region: IntArray, motion: Array, moves: Array, sums: Array, skin: Arra
     `sums` (3, r) is scratch.
     """
     sums[:] = 0.0
-    for s in range(len(moves)):
+    # Four at a time, so that the sums are fetched and stored a quarter as often.
+    even = len(moves) // 4 * 4
+    for s in range(0, even, 4):
         for c in range(3):
-            way = moves[s, c]
-            if way != 0.0:
+            w, x, y, z = moves[s, c], moves[s + 1, c], moves[s + 2, c], moves[s + 3, c]
+            if w != 0.0 or x != 0.0 or y != 0.0 or z != 0.0:
                 for k in range(len(region)):
-                    sums[c, k] += way * motion[s, k]
+                    sums[c, k] += (
+                        w * motion[s, k] + x * motion[s + 1, k] + y * motion[s + 2, k] + z * motion[s + 3, k]
+                    )
+    for s in range(even, len(moves)):
+        for c in range(3):
+            for k in range(len(region)):
+                sums[c, k] += moves[s, c] * motion[s, k]
     for k in range(len(region)):
         for c in range(3):
             skin[region[k], c] += sums[c, k]
