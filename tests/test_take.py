@@ -11,6 +11,7 @@ import pytest
 from PIL import Image
 
 import risorius
+from risorius.core.parameters import INDEX
 from risorius.settings import Settings
 from risorius.take import make_solver
 
@@ -35,6 +36,16 @@ def test_a_pickled_take_has_equal_curves_explanations_and_faces(make) -> None:  
     np.testing.assert_array_equal(again.performance.values, take.performance.values)
     assert again.explain(take.times[middle]) == take.explain(take.times[middle])
     np.testing.assert_array_equal(next(again.faces([middle])).skin, face.skin)
+
+
+def test_curves_between_frames_are_exact_in_all_that_moves_the_skin() -> None:
+    take = risorius.speak("Five, yes.", emotion={"joy": 0.5})
+    times = np.arange(0, 150) / 120
+    exact, between = take._plan.at(times), take._curves_between_frames(times)
+    for name in take.head.fields:
+        np.testing.assert_array_equal(between[:, INDEX[name]], exact[:, INDEX[name]])
+    assert exact[:, INDEX["lip_tuck"]].any()
+    assert not between[:, INDEX["head_pitch"]].any()
 
 
 def test_a_pickled_take_has_its_words_and_its_sound_when_the_first_is_gone() -> None:

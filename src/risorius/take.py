@@ -17,7 +17,7 @@ from .core.arrays import Array, ByteArray
 from .core.articulators import ARTICULATORS
 from .core.audio import Audio
 from .core.lip_rig import LipRig
-from .core.parameters import NAMES, parameters_named
+from .core.parameters import MUSCLES, NAMES, parameters_named
 from .core.performance import Performance
 from .core.progress import Progress, quiet
 from .core.score import Score
@@ -33,6 +33,8 @@ if TYPE_CHECKING:
     from .face.head import Head
     from .face.measure import Gauge
     from .face.solve import FaceSolver
+
+_MUSCLES = frozenset(p.name for p in MUSCLES)
 
 
 @dataclass(repr=False)
@@ -164,10 +166,13 @@ class Take:
                 raise InputError(f"frame {index!r} is not in the performance; expected 0 to {frames - 1}")
 
     def _curves_between_frames(self, times: Array) -> Array:
-        """Return the curves (n, 46) at ascending times (n,); beyond the end they stay."""
+        """Return the curves (n, 46) at ascending times (n,); beyond the end they stay.
+
+        Parameters that move no point of the skin between frames are at rest.
+        """
         end = self.performance.times[-1]
         before = int(np.searchsorted(times, end))
-        values = self._plan.at(np.minimum(times[: before + 1], end))
+        values = self._plan.at(np.minimum(times[: before + 1], end), _MUSCLES | self.head.fields.keys())
         return values[np.minimum(np.arange(len(times)), before)]
 
     def pictures(

@@ -7,7 +7,7 @@ rounded, and the contact goals come last.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Container, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
@@ -84,13 +84,16 @@ class Plan:
         self.twins = twins_of(self.channels, self.lips)
         self.moving = sorted({*(n for c in self.channels for n in c.curves), *limited, *contacts})
 
-    def at(self, times: Array) -> Array:
-        """Return all parameters at the times, seconds, in any order, shape (n,) -> (n, 46)."""
-        wanted = np.asarray(times, dtype=np.float64)
-        order = np.argsort(wanted, kind="stable")
-        values = np.empty((len(wanted), len(NAMES)))
-        for chunk in _chunks(wanted[order]):
-            values[order[chunk]] = PlanSample(self, wanted[order[chunk]]).values()
+    def at(self, times: Array, wanted: Container[str] = NAMES) -> Array:
+        """Return all parameters at the times, seconds, in any order, shape (n,) -> (n, 46).
+
+        Those that are not `wanted` stay at rest.
+        """
+        times = np.asarray(times, dtype=np.float64)
+        order = np.argsort(times, kind="stable")
+        values = np.empty((len(times), len(NAMES)))
+        for chunk in _chunks(times[order]):
+            values[order[chunk]] = PlanSample(self, times[order[chunk]]).values(wanted)
         return values
 
     def performance(self, fps: Fraction) -> Performance:
@@ -144,11 +147,12 @@ class PlanSample:
         self._values: dict[str, Array] = {}
         self._around: dict[float, tuple[Surroundings, PlanSample]] = {}
 
-    def values(self) -> Array:
-        """Return all parameters, shape (n, 46)."""
+    def values(self, wanted: Container[str] = NAMES) -> Array:
+        """Return all parameters, shape (n, 46); those that are not `wanted` stay at rest."""
         values = np.tile(NEUTRAL, (len(self.times), 1))
         for name in self.plan.moving:
-            values[:, INDEX[name]] = self.value(name)
+            if name in wanted:
+                values[:, INDEX[name]] = self.value(name)
         return values
 
     def joined(self, name: str) -> Array:

@@ -20,7 +20,7 @@ from .solve import FaceSolver, checked_rows
 from .springs import RATE, Springs
 
 Drive = Callable[[Array], Array]
-"""All parameters (n, 46) at ascending times (n,) in seconds."""
+"""All parameters (n, 46) at ascending times (n,) in seconds; of those that move no skin, any value."""
 
 # Steps whose activations are computed at once: few after a jump, later many, which cost little more than one.
 FIRST_BLOCK, LATER_BLOCK = RATE, 8 * RATE
@@ -65,9 +65,12 @@ def animate(
     motion = Motion(solver, drive or between_frames(performance))
     if lead_in is not None and len(chosen):
         motion.start_before(Fraction(int(chosen[0])) / performance.fps, lead_in)
-    for i in chosen:
-        values = performance.values[i]
-        yield solver.solve_moving(values, *motion.go_to(Fraction(int(i)) / performance.fps), buffers)
+    for first in range(0, len(chosen), AT_ONCE):
+        some = list(chosen[first : first + AT_ONCE])
+        solver.expect(performance.values[some])
+        for i in some:
+            place = motion.go_to(Fraction(int(i)) / performance.fps)
+            yield solver.solve_moving(performance.values[i], *place, buffers)
 
 
 class Motion:
