@@ -125,7 +125,7 @@ class Look(metaclass=Named):
         metavar="WHAT", unset="the light's own")
     quality: str = _picture("Quality", "normal", "draft, normal or high.", names=looks.QUALITIES)
     hair: str | None = _appearance(
-        "Hair", None, "short, medium, shaved or bald.",
+        "Hair", None, "short, medium, tied, shaved or bald.",
         names=looks.HAIR_STYLES, what="hair style", unset="the head's own")
     complexion: Complexion = _appearance(
         "Complexion", None, "fair, light, tan, brown, dark, or 0 (the fairest) to 1 (the darkest).",

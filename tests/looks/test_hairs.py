@@ -133,7 +133,7 @@ def test_the_same_hairs_grow_every_time(anatomy, surface):
     assert np.array_equal(first.colours, second.colours)
 
 
-@pytest.mark.parametrize("style", ["short", "medium", "shaved"])
+@pytest.mark.parametrize("style", ["short", "medium", "tied", "shaved"])
 def test_every_cut_leaves_the_face_free_and_enters_no_skull(anatomy, surface, style):
     grown = grow_hair(anatomy, surface, BROWN, Looks(hairs=1200, hair_style=style)).values()
     points = np.concatenate([curves_in_head(surface, hairs)[:, 1:].reshape(-1, 3) for hairs in grown])
@@ -151,6 +151,17 @@ def test_medium_hair_hangs_lower_than_short_hair(anatomy, surface):
         lowest[style] = np.percentile(curves_in_head(surface, hairs)[:, -1, 1], 10)
     assert lowest["medium"] < lowest["short"] - 20
     assert lowest["medium"] == pytest.approx(anatomy.chin, abs=40)
+
+
+def test_tied_hair_runs_to_a_bun_behind_the_head_and_leaves_the_ears_free(anatomy, surface):
+    hairs = grow_hair(anatomy, surface, BROWN, Looks(hair_style="tied", hairs=1200))["hair"]
+    curves = curves_in_head(surface, hairs)
+    back = anatomy.skin[anatomy.skin[:, 1] > anatomy.eye_height, 2].min()
+    assert np.abs(curves[:, -1, 0]).max() < 40.0
+    assert curves[:, -1, 2].max() < back + 25.0
+    assert curves[..., 2].min() < back - 12.0
+    ears = anatomy.skin[anatomy.masks["ears"] > 0.9]
+    assert cKDTree(curves.reshape(-1, 3)).query(ears)[0].min() > 1.0
 
 
 def test_a_bald_head_has_no_hair_and_no_shade_of_it(anatomy, surface):
@@ -188,12 +199,12 @@ def test_chin_length_hair_darkens_no_skin_before_its_first_hairs(anatomy):
 def test_the_scalp_is_shaded_by_its_distance_from_the_hairline_alone(anatomy):
     distance = inside_hairline(anatomy, anatomy.skin, uneven=0.0)
     free = anatomy.masks["ears"] < 0.04
-    for style in ("short", "medium"):
+    for style in ("short", "medium", "tied"):
         shade = scalp_shade(anatomy, style)[free][np.argsort(distance[free])]
         assert (np.diff(shade) >= 0.0).all()
 
 
-@pytest.mark.parametrize("style", ["short", "medium"])
+@pytest.mark.parametrize("style", ["short", "medium", "tied"])
 def test_hair_begins_with_fine_short_hairs(anatomy, surface, style):
     parts = grow_hair(anatomy, surface, BROWN, Looks(hairs=4000, hair_style=style))
     fine, hair = parts["hairline"], parts["hair"]

@@ -19,7 +19,7 @@ FRAMINGS = ("portrait", "close-up", "eyes", "mouth", "three-quarter", "profile")
 LIGHTS = ("studio", "daylight", "dark")
 QUALITIES: Mapping[str, int] = MappingProxyType({"draft": 1, "normal": 2, "high": 4})
 """Samples per pixel and side."""
-HAIR_STYLES = ("short", "medium", "shaved", "bald")
+HAIR_STYLES = ("short", "medium", "tied", "shaved", "bald")
 COMPLEXIONS: Mapping[str, float] = MappingProxyType(
     {"fair": 0.0, "light": 0.25, "tan": 0.5, "brown": 0.75, "dark": 1.0}
 )

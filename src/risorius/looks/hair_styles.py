@@ -21,11 +21,17 @@ from .srgb import linear
 from .strands import Strands
 from .stubble import grow_stubble
 from .surface import Surface
+from .tied_hair import grow_tied, tied_back
 
 _Grow: TypeAlias = Callable[[Anatomy, Surface, Array, Looks], Strands]
-_STYLES: dict[str, _Grow] = {"short": grow_short, "medium": grow_medium, "shaved": grow_stubble}
+_STYLES: dict[str, _Grow] = {
+    "short": grow_short,
+    "medium": grow_medium,
+    "tied": grow_tied,
+    "shaved": grow_stubble,
+}
 # How the fine hairs lie with which a style begins.
-_EDGED: dict[str, Combed] = {"short": flow, "medium": aside}
+_EDGED: dict[str, Combed] = {"short": flow, "medium": aside, "tied": tied_back}
 
 
 def grow_hair(anatomy: Anatomy, surface: Surface, colour: Array, looks: Looks) -> dict[str, Strands]:

@@ -17,7 +17,7 @@ _BEFORE = 60.0  # mm: z of its other end, before the hairline
 def parted(anatomy: Anatomy, points: Array) -> Array:
     """Return how near, 0..1, points (n, 3) of the scalp are to the parting, which ends at the whorl."""
     u = anatomy.unit
-    beside = np.exp(-((_from_parting(anatomy, points)[1] / (11.0 * u)) ** 2))
+    beside = np.exp(-((from_parting(anatomy, points)[1] / (11.0 * u)) ** 2))
     return beside * smoothstep(30.0 * u, 50.0 * u, points[:, 1] - anatomy.eye_height)
 
 
@@ -31,34 +31,34 @@ def near_whorl(anatomy: Anatomy, points: Array) -> Array:
 
 def beside_parting(anatomy: Anatomy, place: Array) -> Array:
     """Return by which share (S,) hair at places (S, 3) rises: it lies flat at the parting."""
-    return 0.45 + 0.55 * smoothstep(0.0, 42.0 * anatomy.unit, _from_parting(anatomy, place)[1])
+    return 0.45 + 0.55 * smoothstep(0.0, 42.0 * anatomy.unit, from_parting(anatomy, place)[1])
 
 
 def aside(anatomy: Anatomy, points: Array, normals: Array) -> Array:
     """Return unit directions (n, 3) of hair at the hairline: back, and away from the parting."""
-    away, distance = _from_parting(anatomy, points)
+    away, distance = from_parting(anatomy, points)
     sideways = 0.9 * away[:, 0] * np.tanh(distance / (14.0 * anatomy.unit))
     ways = np.stack([sideways, np.zeros(len(points)), np.full(len(points), -1.0)], axis=1)
-    return flat(unit(ways) + _wave(points), normals)
+    return flat(unit(ways) + wander(points), normals)
 
 
 def combed(anatomy: Anatomy, place: Array) -> Array:
     """Return directions (S, 3) of hair at places (S, 3): from the parting aside and back, and then down."""
     u = anatomy.unit
-    away, distance = _from_parting(anatomy, place)
+    away, distance = from_parting(anatomy, place)
     away = away * np.tanh(distance / (8.0 * u))[:, None]
     high = smoothstep(35.0 * u, 88.0 * u, place[:, 1] - anatomy.eye_height)
     back = 1.0 - smoothstep(-40.0 * u, 10.0 * u, place[:, 2])
     ways = np.stack([away[:, 0] * high, -1.1 * (1.0 - high), (away[:, 1] - 0.5 * back) * high - 0.06], axis=1)
-    return np.asarray(unit(ways) + _wave(place))
+    return np.asarray(unit(ways) + wander(place))
 
 
-def _wave(points: Array) -> Array:
+def wander(points: Array) -> Array:
     """Return by how much directions (n, 3) at points (n, 3) wander."""
     return 0.06 * np.stack([noise_at(points + shift, 60.0) for shift in (0.0, 91.0, 57.0)], axis=1)
 
 
-def _from_parting(anatomy: Anatomy, points: Array) -> tuple[Array, Array]:
+def from_parting(anatomy: Anatomy, points: Array) -> tuple[Array, Array]:
     """Return the directions (n, 2) in x and z from the parting to points (n, 3), and the distances in mm."""
     start = np.array([PARTING, _BEFORE]) * anatomy.unit
     line = np.array(_WHORL) * anatomy.unit - start

@@ -23,16 +23,22 @@ FACE = (
 )
 LAYERS = 4
 # How far, in mm, hair of each style stands out over the skin beside it.
-_THICK = {"short": 16.0, "medium": 20.0, "shaved": 0.0, "bald": 0.0}
+_THICK = {"short": 16.0, "medium": 20.0, "tied": 10.0, "shaved": 0.0, "bald": 0.0}
 # Share of the light that hair takes from what lies below it: some comes through between the hairs.
 _BURIED = 0.75
 # How much the scalp is darkened under each style of hair.
-_UNDER = {"short": 0.9, "medium": 0.98, "shaved": 0.92, "bald": 0.0}
+_UNDER = {"short": 0.9, "medium": 0.98, "tied": 0.98, "shaved": 0.92, "bald": 0.0}
 # mm inside the hairline over which hair of each style begins, so that its edge has no hairs alone: scratches.
-EDGES = {"short": (0.0, 6.0), "medium": (1.0, 8.0)}
+EDGES = {"short": (0.0, 6.0), "medium": (1.0, 8.0), "tied": (1.0, 8.0)}
 # mm inside the even hairline over which that shade rises: slowly, as skin knows it at few points, and where
 # hair hides it. Stubble hides nothing.
-_SHADES = {"short": (1.0, 20.0), "medium": (3.0, 14.0), "shaved": (-2.5, 21.0), "bald": (0.0, 1.0)}
+_SHADES = {
+    "short": (1.0, 20.0),
+    "medium": (3.0, 14.0),
+    "tied": (2.0, 14.0),
+    "shaved": (-2.5, 21.0),
+    "bald": (0.0, 1.0),
+}
 
 
 def inside_hairline(anatomy: Anatomy, points: Array, uneven: float = 1.0) -> Array:
@@ -150,7 +156,8 @@ def grow_roots(
     area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
     share = area * density[surface.triangles].mean(axis=1)
     steps = (np.arange(count) + rng.random(count)) / count
-    triangles = np.searchsorted(np.cumsum(share) / share.sum(), steps).clip(0, len(area) - 1)
+    summed = np.cumsum(share)
+    triangles = np.searchsorted(summed / summed[-1], steps)
     a, b = np.sqrt(rng.random(count)), rng.random(count)
     return triangles.astype(np.int32), np.stack([1 - a, a * (1 - b), a * b], axis=1)
 
