@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..core.arrays import Array, Float32Array, FloatArray
+from ..core.arrays import Array, Float32Array, FloatArray, IndexArray
 from ..core.kernels.jit import lean_kernel
 
 TOLERANCE = 0.3  # mm by which a vertex may be off before the basis grows
@@ -21,39 +21,47 @@ class ClipBasis:
 
     A frame that the shapes so far do not make joins them, less what they make of it (Gram-Schmidt); so one
     pass is enough and memory does not grow with the clip. At the end the shapes are turned to their
-    principal axes.
+    principal axes. Of all points only those that have moved are compared.
     """
 
     rest: Array
     tolerance: float = TOLERANCE
     most: int = MOST
+    _start: Float32Array = field(init=False)
+    _columns: IndexArray = field(init=False)
     _shapes: Float32Array = field(init=False)
     _count: int = 0
-    _waiting: list[Float32Array] = field(default_factory=list)
+    _block: Float32Array = field(init=False)
+    _waiting: int = 0
     _weights: list[Float32Array] = field(default_factory=list)
     _errors: list[Array] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self._shapes = np.zeros((ROOM, self.rest.size), np.float32)
+        self._start = self.rest.astype(np.float32)
+        self._columns, self._shapes = np.zeros(0, np.intp), np.zeros((ROOM, 0), np.float32)
+        self._block = np.empty((BLOCK, self.rest.size), np.float32)
 
     def show(self, points: FloatArray) -> None:
         """Take in the next frame, points (n, 3) in mm."""
-        self._waiting.append((points - self.rest).ravel().astype(np.float32))
-        if len(self._waiting) == BLOCK:
+        np.subtract(
+            points, self._start, out=self._block[self._waiting].reshape(points.shape), casting="same_kind"
+        )
+        self._waiting += 1
+        if self._waiting == BLOCK:
             self._take_in()
 
     def _take_in(self) -> None:
         """Find the weights of the frames that wait; those that shapes do not make add one each."""
         if not self._waiting:
             return
-        rest = np.array(self._waiting)
-        self._waiting.clear()
+        rest = self._of_moving(self._block[: self._waiting])
+        self._waiting = 0
         weights = np.zeros((len(rest), ROOM), np.float32)
         self._split(rest, weights)
         for frame in range(len(rest)):
             if self._count == ROOM:
                 break
-            if _distances(rest[frame : frame + 1]).max() <= self.tolerance:
+            if _distances(rest[frame : frame + 1]).max(initial=0.0) <= self.tolerance:
                 continue
             # Once more, because the first time leaves a little of the others in it.
             direction = rest[frame : frame + 1].copy()
@@ -65,8 +73,19 @@ class ClipBasis:
             rest[frame:] -= share[:, None] * new
             self._count += 1
         self._weights.extend(weights)
-        distances = _distances(rest)
-        self._errors.append(np.stack([(distances**2).mean(axis=1), distances.max(axis=1)], axis=1))
+        self._errors.append(self._errors_of(rest))
+
+    def _of_moving(self, block: Float32Array) -> Float32Array:
+        """Return displacements (k, 3 n) of the points that move, in this block or before: (k, 3 m)."""
+        moves = np.bitwise_or.reduce(block.view(np.uint32), axis=0).reshape(-1, 3).any(axis=1)
+        if self._columns.size:
+            moves[self._columns[::3] // 3] = True
+        columns = np.flatnonzero(np.repeat(moves, 3))
+        if len(columns) > len(self._columns):
+            shapes = np.zeros((ROOM, len(columns)), np.float32)
+            shapes[:, np.searchsorted(columns, self._columns)] = self._shapes
+            self._columns, self._shapes = columns, shapes
+        return block.take(columns, axis=1)
 
     def finish(self) -> tuple[Array, Array]:
         """Return shapes (k, n, 3) mm and weights (frames, k) of about unit size, the largest first."""
@@ -76,11 +95,13 @@ class ClipBasis:
         if not count:
             return np.zeros((0, *self.rest.shape)), weights
         turn = np.linalg.svd(weights, full_matrices=False)[2]
-        turned, shapes = weights @ turn.T, turn @ self._shapes[:count].astype(np.float64)
-        self._drop(turned[:, self.most :], shapes[self.most :].astype(np.float32))
-        turned, shapes = turned[:, : self.most], shapes[: self.most]
+        turned, found = weights @ turn.T, self._shapes[:count]
+        self._drop(turned[:, self.most :], turn[self.most :].astype(np.float32) @ found)
+        turned, turn = turned[:, : self.most], turn[: self.most]
         scale = np.maximum(np.abs(turned).max(axis=0), 1e-9)
-        return (shapes * scale[:, None]).reshape(len(shapes), *self.rest.shape), turned / scale
+        shapes = np.zeros((len(turn), self.rest.size))
+        shapes[:, self._columns] = (turn * scale[:, None]) @ found.astype(np.float64)
+        return shapes.reshape(len(turn), *self.rest.shape), turned / scale
 
     def _drop(self, weights: Array, shapes: Float32Array) -> None:
         """Count what shapes that are left out leave over: its distances add to those there were at most."""
@@ -88,9 +109,13 @@ class ClipBasis:
             return
         for number, errors in enumerate(self._errors):
             block = weights[number * BLOCK : number * BLOCK + len(errors)].astype(np.float32)
-            distances = _distances(block @ shapes)
-            errors[:, 0] += (distances**2).mean(axis=1)
-            errors[:, 1] += distances.max(axis=1)
+            errors += self._errors_of(block @ shapes)
+
+    def _errors_of(self, rest: Float32Array) -> Array:
+        """Return the mean square over all points and the largest distance in each frame, (k, 2)."""
+        distances = _distances(rest)
+        squares = (distances**2).sum(axis=1) / len(self.rest)
+        return np.stack([squares, distances.max(axis=1, initial=0.0)], axis=1)
 
     @property
     def residual(self) -> tuple[float, float]:
