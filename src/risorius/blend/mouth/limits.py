@@ -14,11 +14,9 @@ from ..channels import Channel
 from ..intervals import EMPTY, Spans
 from ..knots import eased, paced
 from ..levels import Levels, outranking, outranks
-from .speech_mouth import JAW, KnotBlock, SpeechMouth
+from .speech_mouth import JAW, ROUNDED, KnotBlock, SpeechMouth
 
 LIPS = "lips"
-ROUNDED = 0.04
-"""Seconds over which a channel's share turns from falling to rising, so that the jaw shows no corner."""
 
 
 class SpeechLimits:
@@ -51,10 +49,12 @@ class SpeechLimits:
         """
         if not self.bind(channel, name):
             return values
-        limit = self.limit(channel, name, times)
-        room = np.maximum(limit - speech, 0.0) if name == JAW else limit
         share = self.mouth.interpolated(lambda block: self._share_of(block, channel, name), times)
-        return np.minimum(values * share, room)
+        if name == JAW:
+            # The share keeps the sum below the limit and changes at the muscle's pace. A limit that did so
+            # would cross the jaw of speech in a corner.
+            return values * share
+        return np.minimum(values * share, self.limit(channel, name, times))
 
     def limit(self, channel: Channel, name: str, times: Array) -> Array:
         """Return the most that a channel may add to a limited parameter at sorted times, shape (n,)."""

@@ -41,6 +41,8 @@ SegmentLimits = Mapping[str, tuple[float, float]]
 JAW = "masseter"
 JAW_AT_SEAL = 0.2
 """The most that the jaw may be open while the lips are sealed."""
+ROUNDED = 0.02
+"""Seconds over which a limit turns from falling to rising, so that the jaw shows no corner."""
 SPEAKS, LOW, MISSING = "speaks", "low", "missing"
 """Averaged besides targets: 1 except for silence; a lower limit; 1 minus an upper limit."""
 
@@ -284,7 +286,8 @@ class KnotBlock:
             for goal, place in zip(self._goals, self._places, strict=True):
                 if goal.contact == SEAL:
                     _lower(limit[place], 1.0 - goal.value * (1.0 - JAW_AT_SEAL))
-            return self._envelope(name, limit)
+            around = self.around(ROUNDED)
+            return around.average(around.lowest(self._envelope(name, limit)))
 
         return self._curve("seal", JAW, make)
 
