@@ -26,7 +26,6 @@ from .manual import replaced_values
 from .mouth.contact import CONTACTS, SEAL, TUCK
 from .mouth.limits import LIPS
 from .mouth.lips import CompiledLips
-from .mouth.sealing import seal_of_speech
 from .mouth.speech_mouth import JAW
 from .plan import Plan, PlanSample
 from .rounding import Surroundings
@@ -142,8 +141,9 @@ def _seal(sample: PlanSample, lips: CompiledLips, rig: LipRig) -> list[Contribut
     That is a closure nearby, or else the segment whose lips other channels would part too far.
     """
     times, time = sample.times, float(sample.times[0])
-    targeted, seal = (float(v[0]) for v in seal_of_speech(times, lips, rig, sample.mouth_gaps))
-    if seal <= targeted + _LEAST:
+    targeted = sample.rounded(SEAL, PlanSample.speech)
+    seal = float(lips.mouth.approach.sealed(targeted, times, sample.mouth_gaps(rig))[0])
+    if seal <= targeted[0] + _LEAST:
         return []
     segments = lips.mouth.segments
     distance = {g.segment: max(g.start - time, time - g.end, 0.0) for g in lips.goals[SEAL].goals}

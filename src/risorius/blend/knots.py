@@ -96,7 +96,7 @@ STEEPEST = 1.0 / (1.0 - SOFT)
 """The greatest slope of a ramp, which it has most of the time: so it is hardly longer than necessary."""
 
 
-def ramp(x: Array, soft: float = SOFT) -> Array:
+def ramp(x: Array, soft: float | Array = SOFT) -> Array:
     """Return a ramp for x in [0, 1]: it rises from 0 to 1 at an even pace, but with slope 0 at both ends.
 
     `soft`: the share of the time in which it reaches its speed.

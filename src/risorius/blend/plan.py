@@ -169,7 +169,8 @@ class PlanSample:
         if name not in self._values:
             total, lips = self.rounded(name), self.plan.lips
             if lips is not None and name in CONTACTS:
-                total = with_goals(name, total, self.times, lips, self.mouth_gaps)
+                speech = self.rounded(name, PlanSample.speech)
+                total = with_goals(name, total, speech, self.times, lips, self.mouth_gaps)
             self._values[name] = total
         return self._values[name]
 

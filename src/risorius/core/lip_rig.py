@@ -75,7 +75,7 @@ ROUNDED = 1.0
 """mm over which a control begins, so that it has no corner where the next one takes over."""
 PARTED = 2.0
 """mm of gap over which the lips' own opening, or their contact, takes over from what the jaw opens."""
-SEAL_ROUNDED = 0.1
+SEAL_ROUNDED = 0.2
 """Of a seal: how near it comes to what a wide gap allows before it turns."""
 RAISED = 0.25
 """How far the upper lip's border, which the fit measures, rises for each mm that the lips open beyond the

@@ -32,8 +32,9 @@ from .tradeoffs import tradeoffs
 EARLY = 0.003
 """Seconds by which lips meet before a closure and part after it: the rounding of what is left open still
 leaves some tenths of a millimetre where they meet."""
-WITHIN = 0.02
-"""Seconds at either end of a closure in which its seal comes to shut any gap, however wide."""
+WITHIN = 0.03
+"""Seconds in which the seal of a closure comes to shut any gap, however wide; within the closure if that is
+twice as long."""
 
 NEAR, FAR = 0.3, 0.55
 """Seconds to a closure up to which it counts wholly, and from which on it counts for nothing: so far from one
@@ -46,8 +47,8 @@ ADDED = 0.5
 """The most that other channels add to the opening of speech, as a share of it; our own choice."""
 
 
-ROUNDED, WIDEST = 1.0, 100.0
-"""mm over which what is left open is rounded at 0, and a gap wider than all."""
+ROUNDED, PARTED, WIDEST = 1.0, 3.0, 100.0
+"""mm over which what is left open and what other channels add are rounded at 0, and a gap wider than all."""
 
 
 class Approach:
@@ -59,7 +60,7 @@ class Approach:
         tucks = [g for g in goals if g.contact == TUCK]
         gentle = self._table.opening.gentle
         self._seals = _Distance([(g.start - EARLY, g.end + EARLY) for g in seals], 0.0)
-        self._shut = GoalCurve([_shutting(g) for g in seals], soft=0.5)
+        self._shut = GoalCurve([_shutting(g) for g in seals], soft=WITHIN, most_soft=0.5)
         kept_near = tucks if self._table.before("opening", "tuck") else ()
         self._tucks = _Distance([(g.start, g.end) for g in kept_near], gentle)
         self._partial = GoalCurve([g for g in goals if g.contact == SEAL and g.value < 1.0])
@@ -125,14 +126,17 @@ class MouthGaps:
         lacks to `most`, in speech at most `ADDED`·a. So wide phones stay wide, narrow ones narrow.
         """
         speech_gap = self.alone - SEAL_MM * targeted
-        extra = positive_part(self.with_others - self.alone, ROUNDED)
+        extra = positive_part(self.with_others - self.alone, PARTED)
         room = positive_part(np.minimum(most, WIDEST) - speech_gap, ROUNDED)
         taken = _taken(extra, room)
         taken += self.speaking * (
-            _taken(extra, np.minimum(room, ADDED * positive_part(speech_gap, ROUNDED))) - taken
+            _taken(extra, lesser(room, ADDED * positive_part(speech_gap, ROUNDED))) - taken
         )
-        left = np.maximum(speech_gap, 0.0) + extra - taken
-        return np.where(taken > 0.0, seal_of(SEAL_MM * targeted + taken, left), targeted)
+        open_alone = np.maximum(speech_gap, 0.0)
+        more = seal_of(SEAL_MM * targeted + taken, open_alone + extra - taken)
+        # Only by how much the seal grows: a targeted one is rounded already, and stays if nothing is taken.
+        more -= seal_of(SEAL_MM * targeted, open_alone)
+        return np.asarray(np.clip(targeted + more, 0.0, 1.0))
 
 
 def _taken(extra: Array, room: Array) -> Array:
@@ -141,9 +145,10 @@ def _taken(extra: Array, room: Array) -> Array:
 
 
 def _shutting(goal: Goal) -> Goal:
-    """Return the times in which the seal of a closure is 1, with the ramps to it within the closure."""
+    """Return the times in which the seal of a closure is 1, with the ramps to it."""
     inner = min(WITHIN, 0.5 * (goal.end - goal.start))
-    return Goal(goal.contact, goal.segment, goal.start + inner, goal.end - inner, goal.value, inner, inner)
+    start, end = goal.start + inner, goal.end - inner
+    return Goal(goal.contact, goal.segment, start, end, goal.value, WITHIN, WITHIN)
 
 
 class _Distance:
@@ -178,6 +183,13 @@ class _Distance:
         near = 1.0 / np.maximum(distance, 0.0)
         near *= smoothstep(np.clip((FAR - distance) / (FAR - NEAR), 0.0, 1.0))
         return near + self._gentle * near * near if self._gentle else near
+
+
+def lesser(a: Array, b: Array) -> Array:
+    """Return about the lesser of two curves of 0 or more, without a corner: a·b/(a⁴ + b⁴)^¼."""
+    greater = np.maximum(a, b)
+    share = np.divide(np.minimum(a, b), greater, out=np.zeros(np.shape(greater)), where=greater > 0.0)
+    return np.asarray(share * greater / (1.0 + share**4) ** 0.25)
 
 
 def smooth_minimum(a: Array, b: Array, width: float) -> Array:

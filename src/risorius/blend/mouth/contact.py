@@ -21,8 +21,8 @@ from .tradeoffs import tradeoffs
 
 SEAL, TUCK = "lip_seal", "lip_tuck"
 CONTACTS = (SEAL, TUCK)
-SOFT = 0.2
-"""The share of a ramp in which a contact reaches its speed."""
+SOFT, MOST_SOFT = 0.012, 0.28
+"""Seconds in which a contact reaches its speed, and the greatest share of a ramp that they may be."""
 GIVES_WAY = 4
 """The power of a tuck by which the seal gives way to it: once the tuck begins to go, hardly any more."""
 
@@ -135,11 +135,11 @@ class GoalCurve:
 
     Together goals g close 1 − Π(1 − g). So two closures nearer than their ramps leave a smooth, partial
     opening between them; two that are nearer still leave none, and the vowel between them is lost. `soft`:
-    the share of a ramp in which it reaches its speed.
+    the seconds of a ramp in which it reaches its speed; `most_soft`: their greatest share of it.
     """
 
-    def __init__(self, goals: Sequence[Goal], soft: float = SOFT) -> None:
-        self.goals, self._soft = tuple(goals), soft
+    def __init__(self, goals: Sequence[Goal], soft: float = SOFT, most_soft: float = MOST_SOFT) -> None:
+        self.goals, self._soft, self._most_soft = tuple(goals), soft, most_soft
         rows = [(g.start, g.end, g.value, g.ramp_in, g.ramp_out) for g in goals]
         table = np.array(rows, dtype=np.float64).reshape(-1, 5).T
         self._start, self._end, self._value, self._ramp_in, self._ramp_out = table
@@ -150,9 +150,10 @@ class GoalCurve:
         high = np.searchsorted(times, self._end + self._ramp_out, side="right")
         goal, index = ranges(low, high)
         t = times[index]
-        early = np.maximum(self._start[goal] - t, 0.0) / self._ramp_in[goal]
-        late = np.maximum(t - self._end[goal], 0.0) / self._ramp_out[goal]
-        values = self._value[goal] * ramp(1.0 - np.minimum(np.maximum(early, late), 1.0), self._soft)
+        early, late = self._start[goal] - t, t - self._end[goal]
+        width = np.where(early > late, self._ramp_in[goal], self._ramp_out[goal])
+        beyond = np.minimum(np.maximum(np.maximum(early, late), 0.0) / width, 1.0)
+        values = self._value[goal] * ramp(1.0 - beyond, np.minimum(self._soft / width, self._most_soft))
         left = np.ones(len(times))
         np.multiply.at(left, index, 1.0 - values)
         return np.asarray(1.0 - left)

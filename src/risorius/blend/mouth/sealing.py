@@ -16,9 +16,12 @@ GapsByRig = Callable[[LipRig], MouthGaps | None]
 """The gaps of the mouth by a head's rig; None if only speech parts the lips."""
 
 
-def with_goals(name: str, value: Array, times: Array, lips: CompiledLips, gaps: GapsByRig) -> Array:
+def with_goals(
+    name: str, value: Array, speech: Array, times: Array, lips: CompiledLips, gaps: GapsByRig
+) -> Array:
     """Return a contact (n,) at sorted times with its goals; each contact gives way to the other's goal.
 
+    `speech`: what the segments target of `value`, rounded as it is: unlike curves would cross in corners.
     The goal of a seal closes only what remains open on the way to the closure (`approach`), so that the gap
     changes no faster when the goal begins. A tuck leaves of the seal what `beside_tuck` says.
     """
@@ -28,13 +31,7 @@ def with_goals(name: str, value: Array, times: Array, lips: CompiledLips, gaps: 
     rig = lips.mouth.shapes.rig
     if rig is None:
         return np.asarray(1.0 - (1.0 - value * (1.0 - tuck)) * (1.0 - lips.goals[SEAL].at(times)))
-    speech, seal = seal_of_speech(times, lips, rig, gaps)
+    seal = lips.mouth.approach.sealed(speech, times, gaps(rig))
     # Other channels may seal what speech leaves open.
     left_open = np.divide(1.0 - value, 1.0 - speech, out=np.ones(len(speech)), where=speech < value)
     return (1.0 - (1.0 - seal) * left_open) * beside_tuck(tuck)
-
-
-def seal_of_speech(times: Array, lips: CompiledLips, rig: LipRig, gaps: GapsByRig) -> tuple[Array, Array]:
-    """Return the seal that the segments target, and the seal that brings the gap to theirs, (n,) each."""
-    targeted = lips.at(SEAL, times) if SEAL in lips.parameters else np.zeros(len(times))
-    return targeted, lips.mouth.approach.sealed(targeted, times, gaps(rig))
