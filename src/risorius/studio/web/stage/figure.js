@@ -7,6 +7,7 @@
 
 import * as THREE from "../vendor/three/three.module.min.js";
 import { Blood } from "./blood.js";
+import { Cover } from "./cover.js";
 import { lighterOf, shade as shadeAnew } from "./detail.js";
 import { eyeMaterial, placeLids, turnEye } from "./eye.js";
 import { Folds } from "./folds.js";
@@ -322,13 +323,15 @@ export class Figure {
     const { min, max } = /** @type {THREE.Box3} */ (teeth.boundingBox);
     const mouth = new THREE.Vector3(0, (min.y + max.y) / 2, max.z).add(this.pivot);
     const spots = { eyes: this.#packing.eyes.map(({ centre }) => centre), mouth: mouth.toArray() };
+    const cover = new Cover(turningPoints(this.#points, this.#neck, this.pivot), this.#meshes.hair ? pointsOf(this.#meshes.hair) : []);
     for (const [name, mesh] of Object.entries(this.#meshes)) {
       const lighter = lighterOf(name, mesh, spots);
       if (!lighter) continue;
       this.#lighter[name] = lighter;
       lighter.mesh.visible = false;
       mesh.parent?.add(lighter.mesh);
-      if (HAIRS.includes(name)) for (const one of [mesh, lighter.mesh]) this.#hairs.set(one, new Order(one.geometry));
+      const covered = this.#packing.parts.some((part) => part.name === name) ? null : cover;
+      if (HAIRS.includes(name)) for (const one of [mesh, lighter.mesh]) this.#hairs.set(one, new Order(one.geometry, covered));
     }
   }
 
@@ -340,6 +343,18 @@ export class Figure {
 /** @param {Mesh} mesh @returns {Float32Array} x, y, z, x, … */
 function pointsOf(mesh) {
   return /** @type {Float32Array} */ (mesh.geometry.attributes.position.array);
+}
+
+/**
+ * The skin's points that turn with the head, about its pivot.
+ * @param {Float32Array} points @param {Float32Array} shares by which they turn @param {THREE.Vector3} pivot
+ */
+function turningPoints(points, shares, { x, y, z }) {
+  const turning = [];
+  for (let vertex = 0, k = 0; vertex < shares.length; vertex++, k += 3) {
+    if (shares[vertex] > 0.5) turning.push(points[k] - x, points[k + 1] - y, points[k + 2] - z);
+  }
+  return Float32Array.from(turning);
 }
 
 const [SIGHT, INVERSE] = [new THREE.Vector3(), new THREE.Matrix4()];

@@ -16,14 +16,14 @@ const GOLDEN = 0.6180339887498949;
 const QUAD = [0, 1, 2, 1, 3, 2];
 
 /**
- * Some of the strands, spread evenly; short ones with one bend instead of all. Long ones would cut through the head.
+ * Some of the strands, spread evenly; short ones with one bend, long ones with half of theirs: with fewer they would cut through the head.
  * @param {Uint32Array} index (3m,) @param {number} share of the strands @param {Float32Array} points x, y, z, x, …
  * @returns {{order: number[], index: Uint32Array}} the vertices that are kept, and the triangles between these
  */
 export function fewer(index, share, points) {
   const { count, pairs } = strandsOf(index);
   const long = meanLength(points, count, pairs) > SHORT;
-  const kept = long ? Array.from({ length: pairs }, (_, k) => k) : [0, pairs >> 1, pairs - 1];
+  const kept = long ? secondOf(pairs) : [0, pairs >> 1, pairs - 1];
   const strands = Array.from({ length: count }, (_, k) => k).filter((k) => (k * GOLDEN) % 1 < share);
   const order = strands.flatMap((strand) =>
     kept.flatMap((pair) => [0, 1].map((edge) => 2 * (strand * pairs + pair) + edge)),
@@ -31,6 +31,11 @@ export function fewer(index, share, points) {
   const each = kept.length - 1;
   const quads = Array.from({ length: strands.length * each }, (_, k) => 2 * (k + Math.floor(k / each)));
   return { order, index: Uint32Array.from(quads.flatMap((from) => QUAD.map((k) => from + k))) };
+}
+
+/** The first pairs, where hair bends most, of the others every second one, and the tip. @param {number} pairs */
+function secondOf(pairs) {
+  return Array.from({ length: pairs }, (_, k) => k).filter((k) => k < 4 || k % 2 === 1 || k === pairs - 1);
 }
 
 /** How long strands are, along their left edges. @param {Float32Array} points @param {number} count @param {number} pairs */
@@ -99,17 +104,22 @@ function directions(points, pairs) {
   return found;
 }
 
-/** Puts a mesh's strands in order, the farthest first, whenever it is looked at from elsewhere. */
+/** Puts a mesh's strands in order, the farthest first, whenever it is looked at from elsewhere, and leaves out what is hidden. */
 export class Order {
   #geometry;
   #index;
   #strands;
   #sorted = new THREE.Vector3();
   #depths;
+  #cover;
 
-  /** @param {THREE.BufferGeometry} geometry of strands */
-  constructor(geometry) {
+  /**
+   * @param {THREE.BufferGeometry} geometry of strands
+   * @param {import("./cover.js").Cover | null} cover what hides some of them; null for strands that move with the face
+   */
+  constructor(geometry, cover = null) {
     this.#geometry = geometry;
+    this.#cover = cover;
     this.#index = /** @type {any} */ (geometry.index).array.slice();
     this.#strands = strandsOf(this.#index);
     this.#depths = new Float32Array(this.#strands.count);
@@ -122,11 +132,24 @@ export class Order {
     const index = /** @type {any} */ (this.#geometry.index);
     const each = this.#index.length / this.#strands.count;
     let to = 0;
+    this.#cover?.look(sight);
     for (const strand of this.#farthestFirst(sight)) {
+      if (this.#hidden(strand)) continue;
       index.array.set(this.#index.subarray(strand * each, (strand + 1) * each), to);
       to += each;
     }
+    index.array.fill(0, to); // triangles of one point, which are not drawn
     index.needsUpdate = true;
+  }
+
+  /** @param {number} strand */
+  #hidden(strand) {
+    const [cover, { pairs }] = [this.#cover, this.#strands];
+    const points = this.#geometry.attributes.position.array;
+    for (let pair = 0; cover && pair < pairs; pair++) {
+      if (!cover.hides(points, 6 * (strand * pairs + pair))) return false;
+    }
+    return cover !== null;
   }
 
   /** @param {THREE.Vector3} sight */
