@@ -8,19 +8,25 @@ import { MM } from "./geometry.js";
 import { lighting } from "./shading.js";
 /** @import {StageEye, StageTable} from "../wire.js" */
 
-const CARRIED = "varying vec3 place;\nvarying vec3 outwards;\n";
+const CARRIED = "varying vec3 place;\nvarying vec3 outwards;\nvarying float reached; // the share of the key lamp\n";
 
-const VERTEX = `
+/** @param {StageTable} packing @param {boolean} quick */
+const vertex = (packing, quick) => `
+#include <common>
+${quick ? lighting(packing) : ""}
 ${CARRIED}
 void main() {
   vec4 world = modelMatrix * vec4( position, 1.0 );
   place = world.xyz * ${MM.toFixed(1)};
   outwards = mat3( modelMatrix ) * position;
+  reached = ${quick ? "keyShareQuick( place )" : "1.0"};
   gl_Position = projectionMatrix * viewMatrix * world;
 }`;
 
-/** @param {StageTable} packing */
-const pixel = (packing) => `
+// While it moves and no graphics card draws, the key lamp's shadow is looked up at the vertices: such a machine shades what
+// lids hide, too.
+/** @param {StageTable} packing @param {boolean} quick */
+const pixel = (packing, quick) => `
 #include <common>
 ${lighting(packing)}
 ${CARRIED}
@@ -44,7 +50,7 @@ void main() {
   vec2 corners = max( vec2( inHead.x - span.x, span.y - inHead.x ), 0.0 );
   if ( side < 0.0 ) corners = corners.yx;
   float shade = lib_lid_shade( below, above, corners.x, corners.y );
-  float shadow = keyShare( place, 1 ) * shade;
+  float shadow = ${quick ? "reached" : "keyShare( place )"} * shade;
   float irisShare = lib_iris_share( local );
   vec3 white = lib_white_of_eye( grain( local * radius, VEINS ).x, above, corners.x, corners.y );
   vec3 facing = normalize( mix( outward, eyeAxes * normalize( vec3( local.xy, local.z - CORNEA ) ), irisShare ) );
@@ -83,7 +89,10 @@ export function eyeMaterial(packing, light, iris, number) {
     span: { value: new THREE.Vector2(-1, 1) },
     lids: { value: Array.from({ length: packing.shading.lids }, () => new THREE.Vector2()) },
   };
-  return new THREE.ShaderMaterial({ uniforms, vertexShader: VERTEX, fragmentShader: pixel(packing) });
+  /** @param {boolean} quick */
+  const material = (quick) =>
+    new THREE.ShaderMaterial({ uniforms, vertexShader: vertex(packing, quick), fragmentShader: pixel(packing, quick) });
+  return Object.assign(material(false), { userData: { quick: material(true) } });
 }
 
 /**

@@ -16,8 +16,8 @@ const CARRIED = "varying vec3 grown;\nvarying float aside;\nvarying float soft;\
 
 // No hair is drawn thinner than half a pixel, as one of the library's samples, or it would glitter: so many of the thinner ones are left out that the others
 // cover the same (`render/ribbons.py`). Edges are a pixel soft.
-/** @param {StageTable} packing @param {number} stride of what is looked up in the key lamp's shadow */
-const vertex = (packing, stride) => `
+/** @param {StageTable} packing @param {string} key the share of the key lamp */
+const vertex = (packing, key) => `
 #include <common>
 ${DEVELOPED}
 ${lighting(packing)}
@@ -35,7 +35,7 @@ void main() {
   }
   vec3 place = midst.xyz * ${MM.toFixed(1)}, view = towards( place ), fibre = normalize( mat3( modelMatrix ) * along );
   vec3 side = lib_facing_fibre( fibre, view );
-  float key = keyShare( place, ${stride} ), free = shaded.x;
+  float key = ${key}, free = shaded.x;
   vec3 light = color * lib_ambient_on( ambient, side, free );
   for ( int k = 0; k < ${packing.light.lamps.length}; k ++ ) {
     float share = ( k == 0 ? key : 1.0 ) * lib_between_fibres( free );
@@ -74,7 +74,7 @@ export function hairMaterial(packing, light) {
     depthWrite: false,
     forceSinglePass: true,
   };
-  const material = new THREE.ShaderMaterial({ ...shared, vertexShader: vertex(packing, 1) });
-  material.userData.quick = new THREE.ShaderMaterial({ ...shared, vertexShader: vertex(packing, 3) });
+  const material = new THREE.ShaderMaterial({ ...shared, vertexShader: vertex(packing, "keyShare( place )") });
+  material.userData.quick = new THREE.ShaderMaterial({ ...shared, vertexShader: vertex(packing, "keyShare( place, 0, 2 )") });
   return material;
 }

@@ -49,8 +49,9 @@ vec4 grain( vec3 place, vec3 cells ) {
   float right = mix( flat_.y - flat_.x, flat_.w - flat_.z, way.y );
   return vec4( mix( rows.x, rows.y, way.y ), vec3( right, rows.y - rows.x, mix( rises.x, rises.y, way.y ) ) * cells );
 }
-// The share of the key lamp that reaches a place (shadow.py): a tent over every one, or every second, of the texels about it.
-float keyShare( vec3 place, int stride ) {
+// The share of the key lamp that reaches a place (shadow.py): a tent over the texels about it, so many to either side, one of
+// \`stride\` of them.
+float keyShare( vec3 place, int reach, int stride ) {
   vec4 p = vec4( place, 1.0 );
   vec2 at = vec2( dot( shadowRows[ 0 ], p ), dot( shadowRows[ 1 ], p ) ) - 0.5;
   float near = dot( shadowRows[ 2 ], p ) + shadowBias;
@@ -58,12 +59,12 @@ float keyShare( vec3 place, int stride ) {
   int taps = int( TAPS );
   if ( any( lessThan( texel, ivec2( taps ) ) ) || any( greaterThanEqual( texel, size - taps - 1 ) ) ) return 1.0;
   vec2 way = at - vec2( texel );
-  float total = 0.0, weights = 0.0, reach = TAPS + 1.0;
-  for ( int row = - taps; row <= taps + 1; row += stride ) {
-    for ( int column = - taps; column <= taps + 1; column += stride ) {
+  float total = 0.0, weights = 0.0, wide = TAPS + 1.0;
+  for ( int row = - reach; row <= reach + 1; row += stride ) {
+    for ( int column = - reach; column <= reach + 1; column += stride ) {
       float there = ( 1.0 - texelFetch( shadowMap, texel + ivec2( column, row ), 0 ).r ) * shadowDepth;
       float blocked = clamp( ( there - near ) * RAMP, 0.0, 1.0 );
-      float weight = max( reach - abs( float( column ) - way.x ), 0.0 ) * max( reach - abs( float( row ) - way.y ), 0.0 );
+      float weight = max( wide - abs( float( column ) - way.x ), 0.0 ) * max( wide - abs( float( row ) - way.y ), 0.0 );
       total += ( 1.0 - blocked ) * weight;
       weights += weight;
     }
@@ -85,6 +86,12 @@ vec3 enteringLight() {
   vec3 total = vec3( 0.0 );
   for ( int k = 0; k < int( FRONT ); k ++ ) total += lampColours[ k ] * clamp( dot( headTurn[ 2 ], lampWays[ k ] ), 0.0, 1.0 );
   return total * WARM;
+}
+float keyShare( vec3 place ) {
+  return keyShare( place, int( TAPS ), 1 );
+}
+float keyShareQuick( vec3 place ) {
+  return keyShare( place, 0, 1 );
 }
 vec3 towards( vec3 place ) {
   return normalize( cameraPosition * ${MM.toFixed(1)} - place );

@@ -37,11 +37,15 @@ Skin smoothSkin( vec3 colour, vec4 surface, vec4 reach, float hem, vec3 normal, 
 }
 // Light on skin and on the mouth's lining, which has what comes past the lips (skin.py).
 vec3 litFlesh( Skin skin, vec3 place, float key, float inner ) {
-  if ( inner <= INNER_MOUTH ) return litSkin( skin, key );
-  vec2 past = pastLips( place );
-  float seen = lib_spread_in_flesh( past.x );
-  skin.free = mix( skin.free, seen, inner );
-  return litSkin( skin, key * mix( 1.0, seen, inner ) ) + skin.albedo * enteringLight() * seen * inner * past.y;
+  vec3 entered = vec3( 0.0 );
+  if ( inner > INNER_MOUTH ) {
+    vec2 past = pastLips( place );
+    float seen = lib_spread_in_flesh( past.x );
+    skin.free = mix( skin.free, seen, inner );
+    key *= mix( 1.0, seen, inner );
+    entered = skin.albedo * enteringLight() * seen * inner * past.y;
+  }
+  return litSkin( skin, key ) + entered;
 }
 `;
 
@@ -74,7 +78,7 @@ void main() {
   facing = normal;
   lampReach = reach;
   surfaced = surface;
-  within = vec3( worn, keyShare( position, 1 ) );
+  within = vec3( worn, keyShare( position ) );
   resting = rest;
   raised = foldHeight * ${packing.folds.step};
   regions = foldRegion;
@@ -141,7 +145,7 @@ vec3 worn( vec3 normal, vec3 view, float key ) {
 void main() {
   vec3 normal = normalize( facing ), view = towards( place );
   float key = within.z;
-  if ( key > ${EVEN} && key < ${1 - EVEN} ) key = keyShare( place, 1 );
+  if ( key > ${EVEN} && key < ${1 - EVEN} ) key = keyShare( place );
   float covered = smoothstep( - millimetres, millimetres, within.x );
   vec3 light = vec3( 0.0 );
   if ( covered < 1.0 ) {
@@ -156,6 +160,7 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
+const SEAM = "20.0"; // mm about the neckline within which a vertex knows the colours of both
 const QUICK = `
 varying vec3 bare;
 varying vec3 dressed;
@@ -172,10 +177,13 @@ ${KNOWN}${SMOOTH}${QUICK}
 void main() {
   hem = worn.x;
   vec3 view = towards( position );
-  float key = keyShare( position, 2 );
-  Skin skin = smoothSkin( perfused(), surface, reach, hem, normal, view );
-  bare = developed( litFlesh( skin, position, key, worn.y ) );
-  dressed = developed( litCloth( cloth, normal, view, reach, surface.x, key ) );
+  float key = keyShareQuick( position );
+  bare = dressed = vec3( 0.0 );
+  if ( hem < ${SEAM} ) {
+    Skin skin = smoothSkin( perfused(), surface, reach, hem, normal, view );
+    bare = developed( litFlesh( skin, position, key, worn.y ) );
+  }
+  if ( hem > - ${SEAM} ) dressed = developed( litCloth( cloth, normal, view, reach, surface.x, key ) );
   gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
 }`;
 
