@@ -51,7 +51,7 @@ def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, looks: Looks)
     density = styled_density(anatomy, surface.points, "medium")
     # At the front, the parting and the whorl no other hairs lie over the roots: there must be more.
     spread = parted(anatomy, surface.points) + near_whorl(anatomy, surface.points)
-    density *= 1.0 + 2.2 * front + 3.0 * spread
+    density *= 1.0 + 2.2 * front + 4.0 * spread
     each = round(_SHARE * looks.hairs) // LAYERS
     triangles, weights = grow_layers(anatomy, surface, density, each, _SEED)
     count = len(triangles)
@@ -121,7 +121,7 @@ def _hang(anatomy: Anatomy, surface: Surface, roots: HairRoots, rng: np.random.G
     tree = cKDTree(smooth.points)
     stray = rng.normal(0.0, 0.03, origin.shape)
     u = anatomy.unit
-    volume = (6.0 + 5.0 * layer) * u
+    volume = (5.0 + 5.0 * layer) * u
     curves, step = [origin], (length / _STEPS)[:, None]
     for k in range(1, _STEPS + 1):
         way = k / _STEPS
@@ -148,7 +148,7 @@ def _lift(anatomy: Anatomy, place: Array) -> Array:
     """Return by how many mm (S,) hair at places (S, 3) rises over the crown, more behind than in front."""
     u = anatomy.unit
     high = smoothstep(35.0 * u, 80.0 * u, place[:, 1] - anatomy.eye_height)
-    behind = 0.4 + 0.6 * smoothstep(20.0 * u, -40.0 * u, place[:, 2])
+    behind = 0.2 + 0.8 * smoothstep(20.0 * u, -50.0 * u, place[:, 2])
     return np.asarray(9.0 * u * high * behind)
 
 
