@@ -11,7 +11,7 @@ from risorius.core.articulators import SEAL_MM
 from risorius.face.contact import Contacts, find_contacts
 from risorius.face.measure import Gauge
 from risorius.face.mouth import Mouth, TeethEdge
-from risorius.face.plate import nearby, response, stiffness
+from risorius.face.plate import nearby, response
 from tests.profiles import examples
 
 from .conftest import EMOTIONS, MOUTH_MUSCLES, values_of
@@ -208,6 +208,6 @@ def test_single_precision_of_the_compliance_moves_no_point_by_a_hundred_thousand
     values = values_of({"lip_seal": 0.7, "mentalis": 0.4, "masseter": 0.1})
     single, mouth = solver.solve(values).skin, Mouth.of(head)
     near = nearby(head.rest, mouth.matrix @ head.rest)
-    plate = response(stiffness(len(head.rest), head.quads), mouth.matrix, near)
+    plate = response(head.quads, mouth.matrix, near)
     monkeypatch.setattr(solver._lips, "_compliance", plate.compliance)
     assert np.abs(solver.solve(values).skin - single).max() < 1e-5

@@ -17,7 +17,9 @@ from .arrays import AnyArray
 from .kernels import compile_cache
 from .npz import read_arrays
 
-MOST_FILES = 192  # a head at one age needs ten, and a picture of it one for its size and one for its view
+MOST_FILES = (
+    240  # a head at one age needs thirteen, and a picture of it one for its size and one for its view
+)
 _LARGEST = 2_000_000_000  # bytes
 _TEMPORARY, _OLD = ".part", 86_400.0  # of a file that is written, and s after which nobody writes it any more
 

@@ -13,7 +13,8 @@ from typing import NamedTuple
 import numpy as np
 import scipy.sparse as sp
 
-from ..core.arrays import Array, IndexArray, UInt32Array, UIntArray
+from ..core.array_cache import cached_arrays
+from ..core.arrays import AnyArray, Array, IndexArray, UInt32Array, UIntArray
 from ..core.kernels.jit import inlined, summing_kernel
 from .head import Head
 from .marks import smooth
@@ -49,6 +50,8 @@ class Compression:
     """
 
     zones: int
+    work: tuple[Array, Array]
+    taut: bool
     quad: UInt32Array
     frame: Array
     zone: UInt32Array
@@ -59,38 +62,17 @@ class Compression:
     row_zone: UInt32Array
     row_vertex: UInt32Array
     row_side: Array
-    work: tuple[Array, Array]
-    taut: bool
 
     @classmethod
     def of(cls, head: Head, zones: Sequence[Zone], *, taut: bool = False) -> Compression:
         """Prepare to measure `zones` of a head; `taut` for skin that folds, not for flesh that swells."""
-        spread = _quads_to_fine(head)
-        left = smooth(-_MIDDLE, _MIDDLE, head.rest[head.quads].mean(axis=1)[:, 0])
-        fine_left = smooth(-_MIDDLE, _MIDDLE, (head.skin.matrix @ head.rest)[:, 0])
-        parts = [_part(head, spread, zone, left) for zone in zones]
-        sizes = [len(p.quads) for p in parts]
-        rows = sp.block_diag([p.rows for p in parts], format="csr")
-        vertices = np.concatenate([p.vertices for p in parts])
-        return cls(
-            len(zones),
-            np.concatenate([head.quads[p.quads] for p in parts]).astype(np.uint32),
-            np.concatenate([p.frame for p in parts]),
-            np.repeat(np.arange(len(parts)), sizes).astype(np.uint32),
-            np.concatenate([p.side for p in parts]),
-            rows.indptr.astype(np.uint32),
-            short(rows.indices),
-            rows.data.astype(np.float64),
-            np.repeat(np.arange(len(parts)), [len(p.vertices) for p in parts]).astype(np.uint32),
-            vertices.astype(np.uint32),
-            fine_left[vertices],
-            (np.empty(sum(sizes)), np.empty((len(zones), 2))),
-            taut,
-        )
+        inputs: list[AnyArray] = [head.rest, head.quads, *(z.mask for z in zones), *(z.pull for z in zones)]
+        tables = cached_arrays("compression", inputs, lambda: _tables(head, zones))
+        return cls(len(zones), _workspace(len(tables[0]), len(zones)), taut, *tables)
 
     def anew(self) -> Compression:
         """Return the same tables with a workspace of their own."""
-        return replace(self, work=(np.empty(len(self.quad)), np.empty((self.zones, 2))))
+        return replace(self, work=_workspace(len(self.quad), self.zones))
 
     def measure(self, skin: Array, out: Array) -> Array:
         """Write the stretch (r,), 1 at rest, of every row on level-0 `skin` (N0, 4) to `out`, and return it.
@@ -113,6 +95,32 @@ class Compression:
             out,
         )
         return out
+
+
+def _workspace(entries: int, zones: int) -> tuple[Array, Array]:
+    return np.empty(entries), np.empty((zones, 2))
+
+
+def _tables(head: Head, zones: Sequence[Zone]) -> tuple[AnyArray, ...]:
+    """Return the tables of a `Compression`, from `quad` to `row_side`."""
+    spread = _quads_to_fine(head)
+    left = smooth(-_MIDDLE, _MIDDLE, head.rest[head.quads].mean(axis=1)[:, 0])
+    fine_left = smooth(-_MIDDLE, _MIDDLE, (head.skin.matrix @ head.rest)[:, 0])
+    parts = [_part(head, spread, zone, left) for zone in zones]
+    rows = sp.block_diag([p.rows for p in parts], format="csr")
+    vertices = np.concatenate([p.vertices for p in parts])
+    return (
+        np.concatenate([head.quads[p.quads] for p in parts]).astype(np.uint32),
+        np.concatenate([p.frame for p in parts]),
+        np.repeat(np.arange(len(parts)), [len(p.quads) for p in parts]).astype(np.uint32),
+        np.concatenate([p.side for p in parts]),
+        rows.indptr.astype(np.uint32),
+        short(rows.indices),
+        rows.data.astype(np.float64),
+        np.repeat(np.arange(len(parts)), [len(p.vertices) for p in parts]).astype(np.uint32),
+        vertices.astype(np.uint32),
+        fine_left[vertices],
+    )
 
 
 class _Part(NamedTuple):

@@ -7,9 +7,11 @@ rigid rotation does not explain (facts: face-model, section 2).
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
+from ..core.array_cache import cached_arrays
 from ..core.arrays import Array, FloatArray
 from ..core.kernels.jit import kernel
 from ..core.parameters import INDEX
@@ -34,16 +36,22 @@ class Jaw:
     corrective: Array
 
     @classmethod
+    @lru_cache(maxsize=4)
     def of(cls, head: Head) -> Jaw:
         """Take the jaw of `head`; its corrective keeps throats of other ages and shapes from folding."""
         corrective = np.zeros_like(head.rest)
         corrective[head.jaw_corrective.vertices] = head.jaw_corrective.displacement
-        angle = head.jaw_weight * head.jaw_angle
-        rigid = head.jaw_point + turned(head.rest - head.jaw_point, head.jaw_axis, angle)
-        opened = rigid + corrective
-        below = float(head.rest[head.masks["lips"] > 0.5, 1].min())
-        uncrowd(head.quads, head.rest, below, head.jaw_axis, angle, opened)
-        return cls(head.jaw_point, head.jaw_axis, head.jaw_angle, head.jaw_weight, opened - rigid)
+        angle, below = head.jaw_weight * head.jaw_angle, head.rest[head.masks["lips"] > 0.5, 1].min()
+
+        def uncrowded() -> tuple[Array]:
+            rigid = head.jaw_point + turned(head.rest - head.jaw_point, head.jaw_axis, angle)
+            opened = rigid + corrective
+            uncrowd(head.quads, head.rest, below, head.jaw_axis, angle, opened)
+            return (opened - rigid,)
+
+        inputs = head.quads, head.rest, below, head.jaw_point, head.jaw_axis, angle, corrective
+        (corrective,) = cached_arrays("jaw", inputs, uncrowded)
+        return cls(head.jaw_point, head.jaw_axis, head.jaw_angle, head.jaw_weight, corrective)
 
     def carry_skin(self, rest: Array, displacement: Array, opening: float, out: Array) -> None:
         """Write the skin (N0, 4), moved by `displacement` and by the jaw at `opening` 0..1, to `out`."""

@@ -21,7 +21,7 @@ from ..core.arrays import Array, Int32Array
 from ..core.kernels.jit import device, inlined, kernel
 from ..core.parameters import INDEX
 from .head import Head
-from .plate import nearby, response, stiffness
+from .plate import nearby, response
 from .products import SparseRows, carry
 
 SIDES = ("left", "right")
@@ -73,8 +73,8 @@ class Lids:
     work: tuple[Array, Array, Array]
 
     @classmethod
-    def of(cls, head: Head, eye: int, stiff: sp.csc_matrix) -> Lids:
-        """Build the lids of eye 0 (left) or 1 (right); `stiff` is the skin's plate."""
+    def of(cls, head: Head, eye: int) -> Lids:
+        """Build the lids of eye 0 (left) or 1 (right)."""
         centre, radius = head.eye_centre[eye], float(head.eye_radius[eye])
         name = f"{BLINK}.{SIDES[eye]}"
         field = head.fields[name]
@@ -87,7 +87,7 @@ class Lids:
         spread[field.vertices] = path
         angles = (margin @ spread)[:, 2]
         apart = angles[len(pairs) :] - angles[: len(pairs)]
-        plate = response(stiff, margin, nearby(head.rest, margin @ head.rest))
+        plate = response(head.quads, margin, nearby(head.rest, margin @ head.rest))
         shell, floor = _shell(head, centre, radius)
         return cls(
             INDEX[name],
@@ -124,8 +124,7 @@ class Lids:
 
 def both_lids(head: Head) -> tuple[Lids, Lids]:
     """Return the lids of the left and the right eye."""
-    stiff = stiffness(len(head.rest), head.quads)
-    return Lids.of(head, 0, stiff), Lids.of(head, 1, stiff)
+    return Lids.of(head, 0), Lids.of(head, 1)
 
 
 def _cylinder(points: Array) -> Array:

@@ -16,7 +16,7 @@ from .contact import Contacts, find_contacts, keep_tight
 from .head import Head
 from .jaw import Jaw
 from .mouth import OVERLAP, Mouth, TeethEdge
-from .plate import Response, nearby, response, stiffness
+from .plate import Response, nearby, response
 from .products import SparseRows, carry, carry_upwards
 
 NEAR = 0.12  # mm; wider gaps are left out of the solution after closing
@@ -61,7 +61,7 @@ class Lips:
     def __init__(self, head: Head, jaw: Jaw | None = None) -> None:
         mouth = Mouth.of(head, jaw)
         rest: Array = mouth.matrix @ head.rest
-        plate = response(stiffness(len(head.rest), head.quads), mouth.matrix, nearby(head.rest, rest))
+        plate = response(head.quads, mouth.matrix, nearby(head.rest, rest))
         self._region, self._motion = plate.region, plate.motion
         # How far gaps open is solved to micrometres; half as many bytes are fetched from memory.
         self._compliance = plate.compliance.astype(np.float32)

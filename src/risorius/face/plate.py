@@ -44,13 +44,15 @@ def stiffness(count: int, quads: IntArray) -> sp.csc_matrix:
     return (BENDING * laplacian @ laplacian + STRETCHING * laplacian + BED * sp.identity(count)).tocsc()
 
 
-def response(stiff: sp.csc_matrix, points: sp.csr_matrix, free: BoolArray) -> Response:
-    """Return the response of the plate `stiff` (N0, N0) at `points` (n, N0), rows of weights that sum to 1.
+def response(quads: IntArray, points: sp.csr_matrix, free: BoolArray) -> Response:
+    """Return the response of the plate of `quads` (Q, 4) at `points` (n, N0), rows of weights that sum to 1.
 
     Only vertices in `free` (N0,) move; all vertices near the points must be among them.
     """
-    key = [part for matrix in (stiff, points) for part in (matrix.data, matrix.indices, matrix.indptr)]
-    return Response(*cached_arrays("response", [*key, free], lambda: _respond(stiff, points, free)))
+    inputs = quads, points.data, points.indices, points.indptr, free
+    return Response(
+        *cached_arrays("response", inputs, lambda: _respond(stiffness(len(free), quads), points, free))
+    )
 
 
 def _respond(stiff: sp.csc_matrix, points: sp.csr_matrix, free: BoolArray) -> tuple[Int32Array, Array, Array]:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-from scipy.ndimage import maximum_filter, maximum_filter1d, minimum_filter
+from numpy.lib.stride_tricks import sliding_window_view
 
 from ..core.arrays import Array, IndexArray
 from ..core.kernels.jit import device, inlined
@@ -54,9 +54,9 @@ class ToothRow:
         np.minimum.at(back, cell, radius)
         edge = np.full(ANGLES, NONE * up)
         (np.minimum if up > 0.0 else np.maximum).at(edge, _polar(crowns, middle[0])[0], crowns[:, 1])
-        front = maximum_filter1d(_rounded(front), WIDENED, axis=0, mode="nearest")
-        edge = -up * maximum_filter1d(-up * edge, 3, mode="nearest")
-        back = minimum_filter(back, 3, mode="nearest")
+        front = _largest(_rounded(front), WIDENED, axis=0)
+        edge = -up * _largest(-up * edge, 3)
+        back = -_largest(_largest(-back, 3, axis=0), 3)
         return cls(middle, front, back, edge, up, _around(front, back))
 
 
@@ -99,15 +99,17 @@ def _around(front: Array, back: Array) -> Array:
     ]
     extremes = [(front[i].min(axis=0), front[i].max(axis=0), back[i].min(axis=0)) for i in inside]
     least, largest, hindmost = (np.stack(table) for table in zip(*extremes, strict=True))
-    size = (1, 3)
-    return np.stack(
-        [
-            minimum_filter(least, size, mode="nearest"),
-            maximum_filter(largest, size, mode="nearest"),
-            minimum_filter(hindmost, size, mode="nearest"),
-        ],
-        axis=-1,
-    )
+    return np.stack([-_largest(-least, 3), _largest(largest, 3), -_largest(-hindmost, 3)], axis=-1)
+
+
+def _largest(table: Array, count: int, axis: int = -1) -> Array:
+    """Return the largest of the `count` entries around each along an axis, whose ends go on as they are.
+
+    What SciPy's filters return, without the time of their import.
+    """
+    ends = [(0, 0)] * table.ndim
+    ends[axis] = (count // 2, count // 2)
+    return np.asarray(sliding_window_view(np.pad(table, ends, mode="edge"), count, axis=axis).max(axis=-1))
 
 
 @device
