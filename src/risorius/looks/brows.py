@@ -39,7 +39,7 @@ def brow_shade(anatomy: Anatomy) -> Array:
 def grow_brows(anatomy: Anatomy, surface: Surface, colour: Array, skin: Array, count: int = 360) -> Strands:
     """Return `count` hairs of linear albedo `colour` (3,) on each side, mirrored, over that of `skin` (3,).
 
-    Hairs at the head and along the edges are fine: they take more of the skin's colour, so that a brow has
+    Hairs at the head, at the tail and along the edges are fine: they take more of the skin's colour, so that a brow has
     no outline.
     """
     rng = np.random.default_rng(_SEED)
@@ -60,6 +60,7 @@ def grow_brows(anatomy: Anatomy, surface: Surface, colour: Array, skin: Array, c
     glint = 1.0 - min(1.0, float(colour.mean()) / _LIGHT)
     shade = (1.0 + glint * (0.2 + 0.9 * rng.random(count)))[:, None] * colour
     faint = 0.06 + 0.36 * np.abs(offset) ** 1.5 + 0.40 * (1.0 - smoothstep(0.0, 0.28, t))
+    faint += 0.35 * smoothstep(0.72, 1.0, t)
     shade += np.clip(faint, 0.0, 0.8)[:, None] * (skin - shade)
     bend = rng.normal(-14, 8, count)
     sides = []

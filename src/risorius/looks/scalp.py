@@ -118,10 +118,10 @@ def _behind_hair(anatomy: Anatomy) -> Array:
     free = np.interp((skin[:, 1] - anatomy.eye_height) / u, *FACE)
     end = hair_ends(anatomy)
     height = smoothstep(end - 12.0 * u, end + 8.0 * u, skin[:, 1])
-    height *= smoothstep(58.0 * u, 44.0 * u, skin[:, 1] - anatomy.eye_height)
+    height *= smoothstep(50.0 * u, 32.0 * u, skin[:, 1] - anatomy.eye_height)
     # On the scalp the roots themselves are seen between hairs.
     height *= 1.0 - 0.5 * _hidden(anatomy, "medium")
-    return np.asarray(smoothstep(-2.0, 5.0, angle - free) * height)
+    return np.asarray(smoothstep(-2.5, 2.5, angle - free) * height)
 
 
 Combed: TypeAlias = Callable[[Anatomy, Array, Array], Array]
