@@ -39,8 +39,8 @@ def brow_shade(anatomy: Anatomy) -> Array:
 def grow_brows(anatomy: Anatomy, surface: Surface, colour: Array, skin: Array, count: int = 360) -> Strands:
     """Return `count` hairs of linear albedo `colour` (3,) on each side, mirrored, over that of `skin` (3,).
 
-    Hairs at the head, at the tail and along the edges are fine: they take more of the skin's colour, so that a brow has
-    no outline.
+    Hairs at the head, at the tail and along the edges are fine: they take more of the skin's colour, so that
+    a brow has no outline.
     """
     rng = np.random.default_rng(_SEED)
     t = rng.beta(1.25, 1.15, count)
