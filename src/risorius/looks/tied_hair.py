@@ -90,8 +90,8 @@ def _comb(
         place = curves[-1] + step[:, None] * ahead
         above, normal = height_over_skin(tree, smooth, place)
         high = smoothstep(30.0 * u, 80.0 * u, place[:, 1] - anatomy.eye_height)
-        thick = (2.5 + 3.5 * layer + 7.0 * high) * u * beside_parting(anatomy, place)
-        wanted = thick * np.sin(np.pi / 2 * min(1.0, 3.0 * way)) + 0.3
+        thick = (2.5 + 2.5 * layer + 6.0 * high) * u * beside_parting(anatomy, place)
+        wanted = thick * np.sin(np.pi / 2 * min(1.0, 2.6 * way)) + 0.3
         curves.append(place + (wanted - above)[:, None] * normal)
     return np.stack(curves, axis=1)
 
