@@ -67,7 +67,7 @@ def styles(path: Path) -> None:
 
 def looks(path: Path) -> None:
     """The cuts of hair, then lights and framings."""
-    cuts = [held({}, hair=name) for name in HAIR_STYLES]
+    cuts = [held({}, hair=name) for name in HAIR_STYLES if name != "bald"]
     lit = [held({}, "mei", light=name) for name in LIGHTS]
     framed = [held(SMILE, "amara", camera=name) for name in FRAMINGS if name != "portrait"]
     sheet([*cuts, *lit, *framed], 4, path)
