@@ -112,7 +112,7 @@ def test_the_page_moves_blood_as_the_library_does(performed: Page) -> None:
         const moved = figure.skin.length;
         const skin = figure.group.children.find((mesh) => mesh.geometry?.attributes.gained);
         const {{ geometry: {{ attributes: {{ gained, lipsShare }} }}, material }} = skin;
-        return moved && [[...gained.array], [...lipsShare.array], material.uniforms.lipsGain.value];
+        return moved && [[...gained.array], [...lipsShare.array], material[0].uniforms.lipsGain.value];
         """,
         base64.b64encode(stage.packed(DIALLED, 1, 0, [face])).decode(),
     )

@@ -63,7 +63,7 @@ export class Lighter {
     this.#wide = wide;
     this.#order = Uint32Array.from(order);
     const geometry = new THREE.BufferGeometry().setIndex(new THREE.BufferAttribute(index, 1));
-    this.mesh = new THREE.Mesh(geometry, /** @type {any} */ (full.material).userData.quick ?? full.material);
+    this.mesh = new THREE.Mesh(geometry, /** @type {any} */ ([full.material].flat()[0]).userData.quick ?? full.material);
     this.mesh.frustumCulled = false;
     this.mesh.matrixAutoUpdate = false;
     this.mesh.matrix = full.matrix; // where the one is, the other is

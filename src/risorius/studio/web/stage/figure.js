@@ -18,7 +18,7 @@ import { findSlit } from "./lips.js";
 import { mouthMaterial } from "./mouth.js";
 import { lightingUniforms } from "./shading.js";
 import { KeyShadow } from "./shadow.js";
-import { skinMaterial } from "./skin.js";
+import { groupTriangles, skinMaterials } from "./skin.js";
 import { Order, asStrands } from "./strands.js";
 /** @import {FileMesh, HeadData, HeadFile, Mesh} from "../types.js" */
 /** @import {StagePart, StageTable} from "../wire.js" */
@@ -83,6 +83,7 @@ export class Figure {
     this.#blood = this.#perfuse(shade);
     this.#partLips(this.#points);
     this.#prepareLighter();
+    groupTriangles(geometry);
   }
 
   /** The skin's points in mm in the head's frame, as they are shown: x, y, z, x, … */
@@ -94,7 +95,7 @@ export class Figure {
 
   /** What skin alone is shaded by. */
   get #ownUniforms() {
-    return /** @type {THREE.ShaderMaterial} */ (this.#meshes.skin.material).uniforms;
+    return /** @type {any} */ (this.#meshes.skin.material)[0].uniforms;
   }
 
   get #points() {
@@ -168,7 +169,7 @@ export class Figure {
     for (const name of ["grainTile", "leaving"]) this.#uniforms[name].value.dispose();
     for (const { geometry, material } of this.#drawn()) {
       geometry.dispose();
-      material.dispose();
+      for (const one of [material].flat()) one.dispose();
     }
     this.group.removeFromParent();
   }
@@ -180,7 +181,7 @@ export class Figure {
     const moves = this.#packing.parts.some((part) => part.name === name);
     const geometry = geometryOf(data, moves);
     const material = this.#materialOf(data.material.name, iris);
-    const mesh = new THREE.Mesh(geometry, material);
+    const mesh = new THREE.Mesh(geometry, /** @type {any} */ (material));
     mesh.frustumCulled = false;
     mesh.renderOrder = name === "skin" ? 0 : name === "hair" ? 2 : 1; // what skin hides need not be shaded; hair lies over all
     this.#meshes[name] = mesh;
@@ -194,7 +195,7 @@ export class Figure {
 
   /** @param {string} name of the file's material @param {THREE.Texture} iris */
   #materialOf(name, iris) {
-    if (name === "skin") return skinMaterial(this.#packing, this.#uniforms);
+    if (name === "skin") return skinMaterials(this.#packing, this.#uniforms);
     if (name === "eye") return eyeMaterial(this.#packing, this.#uniforms, iris, this.#eyes.length);
     return HAIRS.includes(name) ? hairMaterial(this.#packing, this.#uniforms) : mouthMaterial(this.#packing, this.#uniforms, name);
   }

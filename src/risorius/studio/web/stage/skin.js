@@ -49,8 +49,21 @@ vec3 litFlesh( Skin skin, vec3 place, float key, float inner ) {
 }
 `;
 
-/** @param {StageTable} packing */
-const carried = ({ folds }) => `
+/**
+ * What triangles are drawn with: most have neither wrinkles nor cloth, and a shader that knows of neither is much quicker
+ * where no graphics card draws.
+ * @typedef {{creased: boolean, clothed: boolean}} Kind
+ * @type {Kind[]}
+ */
+const KINDS = [
+  { creased: false, clothed: false },
+  { creased: true, clothed: false },
+  { creased: false, clothed: true }, // no wrinkle reaches the cloth
+];
+const CLOTH = -4; // mm into the cloth from which it is drawn: more than a pixel
+
+/** @param {StageTable} packing @param {Kind} kind */
+const carried = ({ folds }, { creased }) => `
 varying vec3 tinted;
 varying vec3 place;
 varying vec3 facing;
@@ -58,16 +71,16 @@ varying vec4 lampReach;
 varying vec4 surfaced;
 varying vec3 within; // mm into the cloth, share of mouth interior, share of the key lamp
 varying vec3 resting;
-varying vec4 raised;
+${creased ? `varying vec4 raised;
 flat varying vec4 regions;
-${each(folds, (slot) => `varying vec4 fold${slot};`)}
+${each(folds, (slot) => `varying vec4 fold${slot};`)}` : ""}
 `;
 
-/** @param {StageTable} packing */
-const vertex = (packing) => `
+/** @param {StageTable} packing @param {Kind} kind */
+const vertex = (packing, kind) => `
 #include <common>
 ${lighting(packing)}
-${KNOWN}${carried(packing)}
+${KNOWN}${carried(packing, kind)}
 attribute vec3 rest;
 attribute vec4 foldHeight;
 attribute vec4 foldRegion;
@@ -80,22 +93,14 @@ void main() {
   surfaced = surface;
   within = vec3( worn, keyShare( position ) );
   resting = rest;
-  raised = foldHeight * ${packing.folds.step};
-  regions = foldRegion;
-  ${each(packing.folds, (slot) => `fold${slot} = foldPlace${slot};`)}
+  ${kind.creased ? `raised = foldHeight * ${packing.folds.step};\n  regions = foldRegion;` : ""}
+  ${kind.creased ? each(packing.folds, (slot) => `fold${slot} = foldPlace${slot};`) : ""}
   gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
 }`;
 
 /** @param {StageTable} packing */
-const pixel = (packing) => `
-#include <common>
-${lighting(packing)}
-${SMOOTH}${carried(packing)}
-uniform float millimetres; // to a pixel
+const creases = (packing) => `
 uniform vec4 foldStyles[ ${packing.folds.styles.length} ]; // kind, furrow, shadow, share
-vec3 tilted( vec3 normal, vec3 slope ) {
-  return normalize( normal + slope );
-}
 // The slope of one region's folds at rest is added, and how deep in a crease the place lies (folds.py).
 void fold( inout vec3 slope, inout float deep, float height, float region, vec4 where, float blur ) {
   if ( region < 0.5 ) return;
@@ -115,16 +120,8 @@ void fold( inout vec3 slope, inout float deep, float height, float region, vec4 
   }
   deep += found.y * lib_darkened( style.z, height );
 }
-void roughen( inout Skin skin, float inner ) {
-  vec4 fine = grain( resting, vec3( PORES ) );
-  vec3 slope = headTurn * fine.yzw;
-  slope = ( slope - skin.soft * dot( slope, skin.soft ) ) * lib_pore_depth( millimetres ) * ( inner - 1.0 );
-  skin.soft = tilted( skin.soft, slope * PORES_SOFT );
-  skin.bumpy = tilted( skin.bumpy, slope );
-  skin.albedo *= 1.0 + PORES_DARKEN * fine.x;
-  skin.strength *= 1.0 + PORES_DULL * min( fine.x, 1.0 );
-}
 void crease( inout Skin skin, vec3 normal ) {
+  if ( ! any( greaterThan( raised, vec4( FAINT ) ) ) ) return;
   vec3 slope = vec3( 0.0 );
   float deep = 0.0, blur = lib_covered_skin( millimetres, dot( normal, skin.view ) );
   ${each(packing.folds, (slot) => `fold( slope, deep, raised[ ${slot} ], regions[ ${slot} ], fold${slot}, blur );`)}
@@ -137,6 +134,27 @@ void crease( inout Skin skin, vec3 normal ) {
   skin.strength *= 1.0 - FOLD_DULLS * deep;
   skin.albedo *= lib_fold_colour( deep );
 }
+`;
+
+/** @param {StageTable} packing @param {Kind} kind */
+const pixel = (packing, kind) => `
+#include <common>
+${lighting(packing)}
+${SMOOTH}${carried(packing, kind)}
+uniform float millimetres; // to a pixel
+vec3 tilted( vec3 normal, vec3 slope ) {
+  return normalize( normal + slope );
+}
+void roughen( inout Skin skin, float inner ) {
+  vec4 fine = grain( resting, vec3( PORES ) );
+  vec3 slope = headTurn * fine.yzw;
+  slope = ( slope - skin.soft * dot( slope, skin.soft ) ) * lib_pore_depth( millimetres ) * ( inner - 1.0 );
+  skin.soft = tilted( skin.soft, slope * PORES_SOFT );
+  skin.bumpy = tilted( skin.bumpy, slope );
+  skin.albedo *= 1.0 + PORES_DARKEN * fine.x;
+  skin.strength *= 1.0 + PORES_DULL * min( fine.x, 1.0 );
+}
+${kind.creased ? creases(packing) : ""}
 vec3 worn( vec3 normal, vec3 view, float key ) {
   if ( within.x < COLLAR ) normal = lib_rolled( normal, within.x );
   float light = lib_knitted( grain( resting, STITCHES ).x, resting, within.x );
@@ -146,15 +164,15 @@ void main() {
   vec3 normal = normalize( facing ), view = towards( place );
   float key = within.z;
   if ( key > ${EVEN} && key < ${1 - EVEN} ) key = keyShare( place );
-  float covered = smoothstep( - millimetres, millimetres, within.x );
+  float covered = ${kind.clothed ? "smoothstep( - millimetres, millimetres, within.x )" : "0.0"};
   vec3 light = vec3( 0.0 );
   if ( covered < 1.0 ) {
     Skin skin = smoothSkin( tinted, surfaced, lampReach, within.x, normal, view );
     roughen( skin, within.y );
-    if ( any( greaterThan( raised, vec4( FAINT ) ) ) ) crease( skin, normal );
+    ${kind.creased ? "crease( skin, normal );" : ""}
     light = litFlesh( skin, place, key, within.y );
   }
-  if ( covered > 0.0 ) light = mix( light, worn( normal, view, key ), covered );
+  ${kind.clothed ? "if ( covered > 0.0 ) light = mix( light, worn( normal, view, key ), covered );" : ""}
   gl_FragColor = vec4( light, 1.0 );
   #include <tonemapping_fragment>
   #include <colorspace_fragment>
@@ -198,9 +216,10 @@ void main() {
 
 /**
  * @param {StageTable} packing how the head is drawn @param {Record<string, {value: any}>} light what `lighting` reads
- * @returns {THREE.ShaderMaterial} whose uniforms are shared with `userData.quick`, the material for motion
+ * @returns {THREE.ShaderMaterial[]} by the kinds of triangles; they share their uniforms, with `userData.quick`, too, the
+ *   material for motion
  */
-export function skinMaterial(packing, light) {
+export function skinMaterials(packing, light) {
   const { cloth, blood, folds } = packing;
   const uniforms = {
     ...light,
@@ -213,14 +232,37 @@ export function skinMaterial(packing, light) {
     foldStyles: { value: folds.styles.map((style) => new THREE.Vector4(...style)) },
   };
   const shared = { uniforms, vertexColors: true };
-  const material = new THREE.ShaderMaterial({ ...shared, vertexShader: vertex(packing), fragmentShader: pixel(packing) });
-  material.userData.quick = new THREE.ShaderMaterial({
-    ...shared,
-    vertexShader: quickVertex(packing),
-    fragmentShader: quickPixel(packing),
-    toneMapped: false,
+  const quick = { vertexShader: quickVertex(packing), fragmentShader: quickPixel(packing), toneMapped: false };
+  const userData = { quick: new THREE.ShaderMaterial({ ...shared, ...quick }) };
+  return KINDS.map((kind) => {
+    const shaders = { vertexShader: vertex(packing, kind), fragmentShader: pixel(packing, kind) };
+    return Object.assign(new THREE.ShaderMaterial({ ...shared, ...shaders }), { userData });
   });
-  return material;
+}
+
+/**
+ * Put the skin's triangles in groups by their kind.
+ * @param {THREE.BufferGeometry} geometry of the skin, with its folds and its way to the cloth
+ */
+export function groupTriangles(geometry) {
+  const { foldRegion, worn } = geometry.attributes;
+  const index = /** @type {Uint32Array} */ (/** @type {THREE.BufferAttribute} */ (geometry.index).array);
+  const kindOf = Uint8Array.from({ length: worn.count }, (_, place) => {
+    const regions = foldRegion.array.subarray(foldRegion.itemSize * place, foldRegion.itemSize * (place + 1));
+    return worn.getX(place) > CLOTH ? 2 : regions.some((region) => region > 0) ? 1 : 0;
+  });
+  /** @type {number[][]} */
+  const groups = KINDS.map(() => []);
+  for (let k = 0; k < index.length; k += 3) {
+    const [a, b, c] = index.subarray(k, k + 3);
+    groups[Math.max(kindOf[a], kindOf[b], kindOf[c])].push(a, b, c);
+  }
+  let start = 0;
+  groups.forEach((triangles, kind) => {
+    index.set(triangles, start);
+    if (triangles.length > 0) geometry.addGroup(start, triangles.length, kind);
+    start += triangles.length;
+  });
 }
 
 /** @param {{slots: number}} folds @param {(slot: number) => string} line */
