@@ -28,8 +28,10 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         item.add_marker(pytest.mark.skip(reason=reason))
 
 
-def _opens_own_page(item: pytest.Item) -> bool:
-    return "performed" not in getattr(item, "fixturenames", ())
+def _opens_own_page(item: pytest.Item) -> int:
+    """Tests of parts take the page that they find."""
+    names = getattr(item, "fixturenames", ())
+    return 0 if "performed" in names else 1 if "any_page" in names else 2
 
 
 @pytest.fixture(scope="session")
@@ -60,6 +62,14 @@ def performed(browser_page: Page) -> Iterator[Page]:
             perform(browser_page)
     yield browser_page
     restore(browser_page)
+
+
+@pytest.fixture(scope="module")
+def any_page(browser_page: Page) -> Page:
+    """A page for tests of its parts alone, which leave it as it is."""
+    if not browser_page.session:
+        browser_page.open("parts")
+    return browser_page
 
 
 @pytest.fixture

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -12,19 +13,33 @@ from .acts import MOVED, open_panel, remember_face, slide
 from .driving import Page, waited
 
 
-@pytest.fixture
-def dials(page: Page) -> Page:
+def hold_face(page: Page) -> None:
     open_panel(page, "Dials")
     slide(page, "19 masseter", 0.0)
     page.wait("studio.headPlayers.figures[0] !== null && studio.store.get('dial') !== null")
     slide(page, "19 masseter", 0.01)
     page.wait("studio.headPlayers.figures[0].skin.some((value, k) => value !== 0)")
-    return page
+
+
+@pytest.fixture
+def dials(performed: Page) -> Iterator[Page]:
+    hold_face(performed)
+    yield performed
+    for name in ("muscles", "both"):
+        performed.run("document.querySelector(`#panel-dials [data-name=${arguments[0]}]`).click()", name)
+    performed.driver.find_element(By.ID, "dials-back").click()
 
 
 def at_rest(page: Page) -> None:
     page.driver.find_element(By.ID, "dials-reset").click()
-    page.run("await new Promise((go) => setTimeout(go, 1500))")
+    page.run("""
+      const [figure] = studio.headPlayers.figures;
+      let before = null;
+      while (before === null || figure.skin.some((value, k) => value !== before[k])) {
+        before = figure.skin.slice();
+        await new Promise((go) => setTimeout(go, 400));
+      }
+    """)
     remember_face(page)
 
 
@@ -59,16 +74,17 @@ def test_one_side_moves_alone(dials: Page) -> None:
     assert dials.get(right) < 2.0
 
 
-def test_a_face_is_kept_as_an_emotion(dials: Page, tmp_path: Path) -> None:
-    dials.driver.execute_cdp_cmd(
+def test_a_face_is_kept_as_an_emotion(page: Page, tmp_path: Path) -> None:
+    hold_face(page)
+    page.driver.execute_cdp_cmd(
         "Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(tmp_path)}
     )
-    slide(dials, "01 zygomatic major", 0.4)
-    dials.driver.find_element(By.ID, "save-emotion").click()  # without a name: the name is asked for
-    assert dials.get("document.activeElement.id") == "pose-name"
-    dials.driver.find_element(By.ID, "pose-name").send_keys("wry")
-    dials.driver.find_element(By.ID, "save-emotion").click()
-    dials.wait("studio.store.get('ownEmotions').includes('wry')")
+    slide(page, "01 zygomatic major", 0.4)
+    page.driver.find_element(By.ID, "save-emotion").click()  # without a name: the name is asked for
+    assert page.get("document.activeElement.id") == "pose-name"
+    page.driver.find_element(By.ID, "pose-name").send_keys("wry")
+    page.driver.find_element(By.ID, "save-emotion").click()
+    page.wait("studio.store.get('ownEmotions').includes('wry')")
     file = waited(lambda: next(tmp_path.glob("*.toml"), None), "the file", 20.0)
     assert "wry" in tomllib.loads(file.read_text()) or "wry" in file.read_text()
 

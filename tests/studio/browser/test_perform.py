@@ -19,16 +19,16 @@ from .driving import SIZE, Page
 from .test_page import resize
 
 
-def test_a_script_that_cannot_be_read_says_so_in_one_line_and_the_page_goes_on(page: Page) -> None:
-    choose(page, "perform", "format", "xml")
-    type_line(page, "<PHONEME time='0'")
-    page.driver.find_element(By.ID, "perform").click()
-    page.wait("!document.querySelector('#notice').hidden")
-    said = page.get("document.querySelector('#notice span').textContent")
+def test_a_script_that_cannot_be_read_says_so_in_one_line_and_the_page_goes_on(performed: Page) -> None:
+    choose(performed, "perform", "format", "xml")
+    type_line(performed, "<PHONEME time='0'")
+    performed.driver.find_element(By.ID, "perform").click()
+    performed.wait("!document.querySelector('#notice').hidden")
+    said = performed.get("document.querySelector('#notice span').textContent")
     assert "script" in said
     assert "\n" not in said
-    choose(page, "perform", "format", "text")
-    perform(page)
+    choose(performed, "perform", "format", "text")
+    perform(performed)
 
 
 def test_a_line_is_heard_and_seen(performed: Page) -> None:

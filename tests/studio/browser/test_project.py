@@ -105,15 +105,15 @@ def test_a_project_file_opens_again_exactly(page: Page, tmp_path: Path) -> None:
     assert page.get(CURVES) == before
 
 
-def test_a_file_that_is_no_project_is_refused_in_one_line(page: Page, tmp_path: Path) -> None:
+def test_a_file_that_is_no_project_is_refused_in_one_line(performed: Page, tmp_path: Path) -> None:
     file = tmp_path / "broken.json"
     file.write_text('{"risorius_project": 99}', encoding="utf-8")
-    open_panel(page, "Project")
-    page.driver.find_element(By.CSS_SELECTOR, "#panel-project input[type=file]").send_keys(str(file))
-    page.wait("!document.querySelector('#notice').hidden")
-    assert "\n" not in page.get("document.querySelector('#notice span').textContent").strip()
+    open_panel(performed, "Project")
+    performed.driver.find_element(By.CSS_SELECTOR, "#panel-project input[type=file]").send_keys(str(file))
+    performed.wait("!document.querySelector('#notice').hidden")
+    assert "\n" not in performed.get("document.querySelector('#notice span').textContent").strip()
     # Read here, or the tests after this one would find it.
-    (refused,) = page.complaints()
+    (refused,) = performed.complaints()
     assert "400 (Bad Request)" in refused
 
 

@@ -14,11 +14,9 @@ from risorius.studio.solvers import stage_of
 from .driving import Page
 
 
-@pytest.fixture(scope="module")
-def page(browser_page: Page) -> Page:
-    """A page that no test changes."""
-    browser_page.open("stage-parts")
-    return browser_page
+@pytest.fixture
+def page(any_page: Page) -> Page:
+    return any_page
 
 
 # A square of 20 by 20 mm with a vertex each millimetre.
@@ -272,16 +270,25 @@ def test_a_head_that_is_held_does_not_come_to_rest(page: Page) -> None:
     found = page.run("""
       const { Sharpness } = await import("/web/stage/sharpness.js");
       let rested = 0;
-      const sharpness = new Sharpness(true, () => (rested += 1));
-      const wait = () => new Promise((go) => setTimeout(go, 1200));
-      const press = (name) => document.dispatchEvent(new PointerEvent(name));
-      press("pointerdown");
-      sharpness.moves();
-      await wait();
-      const held = rested;
-      press("pointerup");
-      await wait();
-      return [held, rested];
+      const waiting = [];
+      const { setTimeout, clearTimeout } = window;
+      window.setTimeout = (call) => waiting.push(call);
+      window.clearTimeout = (number) => delete waiting[number - 1];
+      try {
+        const sharpness = new Sharpness(true, () => (rested += 1));
+        const press = (name) => document.dispatchEvent(new PointerEvent(name));
+        const later = () => waiting.forEach((call, number) => { delete waiting[number]; call(); });
+        sharpness.moves();
+        press("pointerdown");
+        sharpness.moves();
+        later();
+        const held = rested;
+        press("pointerup");
+        later();
+        return [held, rested];
+      } finally {
+        Object.assign(window, { setTimeout, clearTimeout });
+      }
     """)
     assert found == [0, 1]
 

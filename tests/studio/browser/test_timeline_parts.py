@@ -9,11 +9,9 @@ import pytest
 from .driving import Page
 
 
-@pytest.fixture(scope="module")
-def page(browser_page: Page) -> Page:
-    """A page that no test changes."""
-    browser_page.open("parts")
-    return browser_page
+@pytest.fixture
+def page(any_page: Page) -> Page:
+    return any_page
 
 
 # A take of any length, as the wire has it: blocks twice a second in three layers, a curve, words and phones.
