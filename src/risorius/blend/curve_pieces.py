@@ -13,6 +13,7 @@ from array import array
 from collections.abc import Iterator
 from dataclasses import dataclass
 from operator import attrgetter
+from struct import Struct
 from typing import cast
 
 import numpy as np
@@ -113,6 +114,7 @@ _numbers = attrgetter(
     "start", "stop", "begin", "rise", "cap", "level",
     "onset", "apex_end", "offset", "end", "excess", "fade", "last", "speed", "slowing",
 )  # fmt: skip
+_packed = Struct("15d").pack
 
 
 class CurvePieces:
@@ -126,7 +128,7 @@ class CurvePieces:
 
     def append(self, piece: CurvePiece) -> None:
         """Add a finished piece."""
-        self.numbers.extend(_numbers(piece))
+        self.numbers.frombytes(_packed(*_numbers(piece)))
         self.movements.append(piece.movement)
         self.function.append(self.functions.setdefault(piece.function, len(self.functions)))
         self.fade_function.append(self.functions.setdefault(piece.fade_function, len(self.functions)))
@@ -146,7 +148,7 @@ def _columns(table: Array) -> list[Array]:
 
 def _at(column: Array, pieces: IndexArray) -> Array:
     """Return a column's numbers of some pieces (n,), shape (n,), or (1,) if all pieces have the same."""
-    return column[:1] if column.strides == (0,) else column[pieces]
+    return column[:1] if column.strides == (0,) else column.take(pieces)
 
 
 class MovementCurve:
@@ -178,25 +180,27 @@ class MovementCurve:
             np.searchsorted(times, self.stop[chosen], side="left"),
         )
         owner, index = ranges(low, high)
-        return index, self.evaluate(chosen[owner], times[index])
+        return index, self.evaluate(chosen.take(owner), times.take(index))
 
     lines = sample
 
     def evaluate(self, pieces: IndexArray, times: Array) -> Array:
         """Return the values of pieces (n,), each at its own time (not before its start), shape (n,)."""
-        x = times - self.start[pieces]
-        values: Array = self.level[pieces]
+        x = times - self.start.take(pieces)
+        values: Array = self.level.take(pieces)
         rising = x < _at(self.onset, pieces)
-        i = np.flatnonzero(rising & (_at(self.rise, pieces) != 0.0))
-        k = pieces[i]
-        begin, rise, onset = (_at(column, k) for column in (self.begin, self.rise, self.onset))
-        risen = begin + rise * self._shapes(self.function[k], x[i] / onset)
-        values[i] = np.minimum(risen, _at(self.cap, k))
-        i = np.flatnonzero(~rising & (times > self.apex_end[pieces]))
-        k = pieces[i]
-        left = np.maximum(self.end[k] - times[i], 0.0)
-        part = np.divide(left, self.offset[k], out=np.zeros(len(i)), where=self.offset[k] > 0.0)
-        values[i] *= self._shapes(self.function[k], part)
+        (i,) = (rising & (_at(self.rise, pieces) != 0.0)).nonzero()
+        if len(i):
+            k = pieces.take(i)
+            begin, rise, onset = (_at(column, k) for column in (self.begin, self.rise, self.onset))
+            risen = begin + rise * self._shapes(self.function.take(k), x.take(i) / onset)
+            values[i] = np.minimum(risen, _at(self.cap, k))
+        (i,) = (~rising & (times > _at(self.apex_end, pieces))).nonzero()
+        if len(i):
+            k = pieces.take(i)
+            left, offset = np.maximum(self.end.take(k) - times.take(i), 0.0), self.offset.take(k)
+            part = np.divide(left, offset, out=np.zeros(len(i)), where=offset > 0.0)
+            values[i] *= self._shapes(self.function.take(k), part)
         if self._lets_go:
             self._add_residue(values, pieces, x)
         if self._keeps_speed:

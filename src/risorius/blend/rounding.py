@@ -56,14 +56,13 @@ class Surroundings:
     def __init__(self, times: Array, width: float, end: float) -> None:
         offsets = width * ((np.arange(SAMPLES) + 0.5) / SAMPLES - 0.5)
         spread = np.clip(times + offsets[:, np.newaxis], 0.0, end).ravel()
-        self._order = np.argsort(spread, kind="stable")
-        self.times = spread[self._order]
+        order = np.argsort(spread, kind="stable")
+        self.times, self._place = spread[order], np.empty(len(order), np.intp)
+        self._place[order] = np.arange(len(order))
 
     def average(self, values: Array) -> Array:
         """Return the averages (n,) of values at `times`; of equal values exactly their value."""
-        unsorted = np.empty(len(values))
-        unsorted[self._order] = values
-        around: Array = unsorted.reshape(SAMPLES, -1)
+        around: Array = values.take(self._place).reshape(SAMPLES, -1)
         # Of differences, so that those of equal values are exactly 0.
         return np.asarray(around[0] + (around[1:] - around[0]).sum(axis=0) / SAMPLES)
 

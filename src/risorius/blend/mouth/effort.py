@@ -147,7 +147,10 @@ class _Basis(NamedTuple):
         """Return the curve of a solution at the times, (unknowns,) or (k, unknowns) -> (n,) or (k, n)."""
         curve: Array = np.zeros(())
         for numbers, shape in zip(self.unknowns, self.shapes, strict=True):
-            curve = curve + shape * np.take(solution, numbers, axis=-1)
+            part = solution.take(numbers, axis=-1)
+            part *= shape
+            part += curve
+            curve = part
         return curve
 
 
@@ -187,7 +190,7 @@ class EffortModel:
             system = self._system(group, basis.part)
             for average, solution in zip(averages, system.solved(values), strict=True):
                 average[basis.place] = basis.curve(solution)
-        averages /= GRAIN
+        averages *= 1.0 / GRAIN
         np.rint(averages, out=averages)
         averages *= GRAIN
         return list(averages)
