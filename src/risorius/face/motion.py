@@ -92,8 +92,10 @@ class Motion:
         if self._step < 0 or last < self._step:
             self._rest_at(0)
         while self._step < last:
-            self._step += 1
-            self._springs.go_on(*self._targets_of(self._step))
+            targets, number = self._targets_of(self._step + 1)
+            count = min(last - self._step, len(self._few) - number)
+            self._springs.go_on(targets, number, count)
+            self._step += count
         return self._springs, float(1 - (last - exact))
 
     def start_before(self, time: Fraction, lead_in: float) -> None:

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..core.arrays import Array, ByteArray, IntArray, UInt32Array, UInt64Array
+from ..core.arrays import Array, ByteArray, IndexArray, IntArray, UInt32Array, UInt64Array
 from ..core.kernels.four import Four, any_above, four, larger, root, row, set_row, where_above
 from ..core.kernels.jit import inlined, lean_device, lean_kernel
 from ..core.parameters import INDEX, PARAMETERS
@@ -154,6 +154,14 @@ class DisplacedSkin:
             self._skin,
         )
         return self._skin
+
+
+@lean_kernel
+def put_at(vertices: IndexArray, displaced: Array, number: int, out: Array) -> None:
+    """Write one `number` of the displacements `displaced` (n, 3, AT_ONCE) to the `vertices` of `out`."""
+    for k in range(len(vertices)):
+        for c in range(3):
+            out[vertices[k], c] = displaced[k, c, number]
 
 
 MOST = 32  # no vertex has more entries

@@ -28,7 +28,7 @@ from .jaw import Jaw
 from .lids import both_lids
 from .links import Links, load_links
 from .lips import Lips
-from .muscles import DisplacedSkin, MuscleFields
+from .muscles import DisplacedSkin, MuscleFields, put_at
 from .network import Network
 from .products import AlikeRows, without_fourth
 from .rotations import head_rotation
@@ -153,7 +153,7 @@ class FaceSolver:
         if checked.tobytes() not in self._coming:
             self._displace_fixed(checked[None])
         self._displacement[:] = 0.0
-        self._displacement[self._fixed] = self._displaced[:, :, self._coming[checked.tobytes()]]
+        put_at(self._fixed, self._displaced, self._coming[checked.tobytes()], self._displacement)
         springs.place(share, self._displacement)
         return self._finish(checked, buffers or self.buffers())
 

@@ -12,7 +12,7 @@ import math
 import numpy as np
 
 from ..core.arrays import Array, IndexArray, UInt32Array, UIntArray
-from ..core.kernels.jit import summing_kernel
+from ..core.kernels.jit import summing_device, summing_kernel
 from ..core.parameters import NAMES
 from .biphasic import Biphasic
 from .cholesky import substitute
@@ -71,9 +71,7 @@ class Springs:
         """Go on by steps, under the activations `values` (k, 46) at their ends."""
         for first in range(0, len(values), AT_ONCE):
             some = values[first : first + AT_ONCE]
-            targets = self.targets(some)
-            for number in range(len(some)):
-                self.go_on(targets, number)
+            self.go_on(self.targets(some), 0, len(some))
 
     def targets(self, values: Array) -> Array:
         """Return where the muscles pull the points: (r, 3, AT_ONCE) mm, at the ends of the next few steps.
@@ -84,16 +82,23 @@ class Springs:
             self._links.apply(row, linked)
         return self._displaced.over(self._linked[: len(values)])
 
-    def go_on(self, targets: Array, number: int) -> None:
-        """Go on by one step, to the end that has that `number` among the latest `targets`."""
-        self._before, self._place = self._place, self._before
+    def go_on(self, targets: Array, first: int, count: int) -> None:
+        """Go on by `count` steps, whose ends are numbered from `first` on among the latest `targets`."""
         net, factor = self.network, self._factor
-        _load(targets, number, self._before, net.start, net.column, net.weight, self._strain, self._velocity)
-        if self._second is not None:
+        solver = factor.start, factor.row, factor.weight, factor.inverse
+        if self._second is None:
+            state = self._strain, self._velocity, self._before, self._place
+            _go_on(targets, first, count, net.start, net.column, net.weight, solver, state)
+            if count % 2:
+                self._before, self._place = self._place, self._before
+            return
+        for number in range(first, first + count):
+            self._before, self._place = self._place, self._before
+            _load(
+                targets, number, self._before, net.start, net.column, net.weight, self._strain, self._velocity
+            )
             self._second.pull(self._linked[number], self._before, STEP, self._velocity)
-        _move(
-            self._before, factor.start, factor.row, factor.weight, factor.inverse, self._velocity, self._place
-        )
+            _move(self._before, *solver, self._velocity, self._place)
 
     def place(self, share: float, displacement: Array) -> None:
         """Write the places of the points to the skin's `displacement` (N0, 3).
@@ -103,8 +108,8 @@ class Springs:
         _place(self.network.free, self._before, self._place, share, displacement)
 
 
-@summing_kernel
-def _load(
+@summing_device
+def _add_load(
     targets: Array,
     number: int,
     place: Array,
@@ -122,8 +127,8 @@ def _load(
     add_pull(start, column, weight, strain, STEP, velocity)
 
 
-@summing_kernel
-def _move(
+@summing_device
+def _move_on(
     before: Array,
     start: UInt32Array,
     row: UIntArray,
@@ -137,6 +142,52 @@ def _move(
     for i in range(len(after)):
         for c in range(3):
             after[i, c] = before[i, c] + STEP * velocity[i, c]
+
+
+@summing_kernel
+def _load(
+    targets: Array,
+    number: int,
+    place: Array,
+    start: UInt32Array,
+    column: UInt32Array,
+    weight: Array,
+    strain: Array,
+    velocity: Array,
+) -> None:
+    _add_load(targets, number, place, start, column, weight, strain, velocity)
+
+
+@summing_kernel
+def _move(
+    before: Array,
+    start: UInt32Array,
+    row: UIntArray,
+    weight: Array,
+    inverse: Array,
+    velocity: Array,
+    after: Array,
+) -> None:
+    _move_on(before, start, row, weight, inverse, velocity, after)
+
+
+@summing_kernel
+def _go_on(
+    targets: Array,
+    first: int,
+    count: int,
+    start: UInt32Array,
+    column: UInt32Array,
+    weight: Array,
+    solver: tuple[UInt32Array, UIntArray, Array, Array],
+    state: tuple[Array, Array, Array, Array],
+) -> None:
+    """Go on by `count` steps; the last two of the `state`, before and after a step, change roles in each."""
+    strain, velocity, before, place = state
+    for number in range(first, first + count):
+        before, place = place, before
+        _add_load(targets, number, before, start, column, weight, strain, velocity)
+        _move_on(before, solver[0], solver[1], solver[2], solver[3], velocity, place)
 
 
 @summing_kernel
