@@ -56,8 +56,6 @@ class Graded:
 
         def gain(channel: Channel, parameter: str, strongest: Array) -> Array:
             onset, offset = tuning.min_onset[parameter], tuning.min_offset[parameter]
-            if not strongest.any():
-                return np.ones(len(knots))
             clock = paced(knots, channel.lines(parameter, knots))
             return eased(clock, smoothstep(1.0 - strongest), onset, offset)
 
@@ -68,7 +66,8 @@ class Graded:
         strengths = self._around(times[0], times[-1])
 
         def resolve(channel: Channel, parameter: str, times: Array, values: Array) -> Array:
-            return values * np.interp(times, strengths.times, strengths.gain(channel, parameter))
+            gain = strengths.gain(channel, parameter)
+            return values if gain is strengths.whole else values * np.interp(times, strengths.times, gain)
 
         return resolve
 

@@ -21,10 +21,11 @@ class Strengths:
     """Gains of all activities at some sorted times, resolved from the highest level down.
 
     A change of priority takes effect over a short ramp (`levels.PRIORITY_RAMP`), so that it makes no jump.
+    `whole` is the gain, shape (n,), of an activity that no rival weakens.
     """
 
     def __init__(self, inputs: PolicyInputs, times: Array, strength: Strength, gain_of: GainOf) -> None:
-        self._inputs, self.times = inputs, times
+        self._inputs, self.times, self.whole = inputs, times, np.ones(len(times))
         self._strength, self._gain_of = strength, gain_of
         self._gains: dict[tuple[str, float, str], Array] = {}
         self._strengths: dict[tuple[str, float, str], Array] = {}
@@ -45,7 +46,8 @@ class Strengths:
             strongest = np.zeros(len(self.times))
             for other, above, rival in self._inputs.rivals(channel, parameter, level):
                 np.maximum(strongest, self._strength_of(other, above, rival), out=strongest)
-            self._gains[key] = self._gain_of(channel, parameter, strongest)
+            weakened = strongest.any()
+            self._gains[key] = self._gain_of(channel, parameter, strongest) if weakened else self.whole
         return self._gains[key]
 
     def _strength_of(self, channel: Channel, level: float, parameter: str) -> Array:
@@ -53,7 +55,9 @@ class Strengths:
         key = (channel.key, level, parameter)
         if key not in self._strengths:
             activity = channel.lines(parameter, self.times)
-            activity *= self._gain_at(channel, level, parameter)
+            gain = self._gain_at(channel, level, parameter)
+            if gain is not self.whole:
+                activity *= gain
             limits = self._inputs.limits
             if limits is not None and limits.bind(channel, parameter):
                 np.minimum(activity, limits.limit(channel, parameter, self.times), out=activity)
