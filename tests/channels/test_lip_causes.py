@@ -74,7 +74,8 @@ def test_arkit_puckers_closed_lips_and_funnels_open_ones() -> None:
         assert pucker + funnel > 0.3
         return pucker / (pucker + funnel)
 
-    assert share_of_pucker("W") > 0.85
+    # Half a millimetre of gap lies on the slope from one to the other.
+    assert share_of_pucker("W") > 0.8
     assert max(share_of_pucker(phone) for phone in ("AO", "SH", "R")) < 0.5
     # One fades into the other at about a millimetre of gap.
     shut, near, ajar, apart = (share_of_pucker("UW", lip_aperture=gap) for gap in (0.0, 1.0, 1.5, 4.0))
