@@ -29,7 +29,8 @@ class GlbScene:
     `parts` as `HeadModel.parts` gives them; `posed` are points (n, 3) mm of parts that are not at rest;
     `moving` are displacements (n, 3) mm of parts by morph target: {"jawOpen": {"skin": …, "tongue": …}}.
     With `lit`, for our own page, colours are those of things without shade (`glb_paint` for others), and
-    hairs say at each vertex (`_LIGHT`) which share of light reaches it, and how strong its highlights are.
+    hairs say at each vertex (`_LIGHT`) which share of light reaches it, and how strong its highlights are,
+    but have no normals.
     """
 
     head: Head
@@ -79,10 +80,9 @@ class GlbScene:
         gltf = self.gltf
         self._normals[part.name] = normals(points, part.triangles)
         place = ((points - about) * METRES).astype(np.float32)
-        attributes = {
-            "POSITION": gltf.accessor(place, VERTICES),
-            "NORMAL": gltf.accessor(self._normals[part.name].astype(np.float32), VERTICES),
-        }
+        attributes = {"POSITION": gltf.accessor(place, VERTICES)}
+        if not (self.lit and part.surface >= HAIR):
+            attributes["NORMAL"] = gltf.accessor(self._normals[part.name].astype(np.float32), VERTICES)
         if part.name in _EYES:
             side = _EYES.index(part.name)
             across = (points - about) / self.head.eye_radius[side] @ pupil_axes()[side]
