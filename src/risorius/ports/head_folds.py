@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..core.arrays import ByteArray, Float32Array, IntArray
+from ..core.arrays import Array, ByteArray, Float32Array, IntArray
 from ..face.head import Head
 from ..face.regions import place_regions
 from ..render.creases import Creases, lay_creases
@@ -23,17 +23,17 @@ class HeadFolds:
     """Where the wrinkles of a head lie.
 
     If more than SLOTS regions meet, the two that share the fewest vertices have one slot: there, at the
-    borders of both, where they fade, one of them is left out. `left_out` counts these vertices.
+    borders of both, where they fade, the weaker of them is left out. `left_out` counts these vertices.
     """
 
     def __init__(self, head: Head) -> None:
         self._creases = lay_creases(head, len(head.skin.triangles))
         near = _near(self._creases, head.skin.triangles)
         self._slots = _slots(near)
-        self._near = _apart(near, self._slots)
+        masks = np.array([region.zone.mask for region in place_regions(head)])
+        self._near = _apart(near, self._slots, masks)
         self.left_out = int((near & ~self._near).sum())
-        masks = np.array([region.zone.mask > 0.0 for region in place_regions(head)])
-        self._rows, self._regions = np.nonzero((masks & self._near).T)
+        self._rows, self._regions = np.nonzero(((masks > 0.0) & self._near).T)
 
     def described(self) -> StageFolds:
         """Return what a page needs to know of them."""
@@ -80,10 +80,12 @@ def _slots(near: ByteArray) -> IntArray:
     return slots
 
 
-def _apart(near: ByteArray, slots: IntArray) -> ByteArray:
-    """Return `near` (R, N1) with no vertex in two regions of one slot: the first has it."""
-    apart = near.copy()
-    for region in range(len(near)):
-        before = apart[:region][slots[:region] == slots[region]].any(axis=0)
-        apart[region] &= ~before
+def _apart(near: ByteArray, slots: IntArray, masks: Array) -> ByteArray:
+    """Return `near` (R, N1) with no vertex in two regions of one slot: that with the greater mask has it."""
+    apart = np.zeros_like(near)
+    for slot in range(SLOTS):
+        own = np.flatnonzero(slots == slot)
+        if own.size:
+            strongest = own[np.where(near[own], masks[own], -1.0).argmax(axis=0)]
+            apart[own] = near[own] & (strongest == own[:, None])
     return apart
