@@ -134,7 +134,7 @@ def test_what_two_muscles_move_together_needs_both_in_part(displaced, head, firs
     assert shares[:2] == [0.0, 0.0]
     assert 0.2 < shares[2] < shares[3] < shares[4] < 0.8
     full = 1.0 - YIELDS.get((first, second), 0.0)  # those that yield to each other never contract fully
-    assert shares[5] == pytest.approx(joint_share(full, full), abs=0.15)
+    assert shares[5] == pytest.approx(joint_share(full, full), abs=0.2)
 
 
 def test_a_side_alone_leaves_the_joint_field_of_the_other(displaced):
