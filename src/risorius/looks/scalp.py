@@ -14,7 +14,7 @@ from .surface import Surface, flat, unit
 
 # Heights of the hairline over the eyes in mm, by the angle from the front around an axis through the skull.
 _ANGLES = (0, 10, 20, 28, 35, 41, 47, 53, 59, 66, 71, 77, 81, 88, 97, 103, 109, 118, 132, 150, 180)
-_HEIGHTS = (56, 56, 55, 52.5, 49, 45, 39, 32, 22, 8, -6, -14, 4, 8, 7, -6, -28, -40, -52, -62, -66)
+_HEIGHTS = (62, 62, 60.8, 57.6, 53, 48, 41, 33, 22, 8, -6, -14, 4, 8, 7, -6, -28, -40, -52, -62, -66)
 AXIS = -72.0  # mm: z of that axis
 # Heights over the eyes in mm, and the angle from the front within which no hair of chin length hangs there.
 FACE = (
