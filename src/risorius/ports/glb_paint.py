@@ -22,11 +22,11 @@ from ..looks.garment import neckline
 from ..looks.parts import HEM, Part
 from ..looks.srgb import linear, srgb_decode, srgb_encode
 from ..render.lights import STUDIO
+from ..render.materials.mouth import past_open_lips
 from ..render.resting import light_at_rest
 
 # The shares of light are those in lips that stand apart as in an open vowel: mm from where they meet.
 _UPPER, _LOWER = 3.0, 9.0
-_ABSORBED = 30.0  # mm: so deep in the mouth, cheeks and palate have taken half of the light
 _LEAST = 0.04  # of the light, where none comes straight from outside
 _MATT, _SKIN = 0.92, 0.5  # roughness
 _REACH, _STEP = 64.0, 0.25  # mm on both sides of the neckline that the pictures show, and of a pixel
@@ -46,9 +46,7 @@ class GlbPaint:
         if part.surface == TONGUE:
             return self._past_lips(part.points)
         if part.surface == TEETH:
-            # Light that enters a tooth comes out of it and its neighbours again.
-            root = np.sqrt(self._past_lips(part.points))
-            return np.minimum(root * (0.8 + 0.7 * root), 1.0)
+            return self._past_lips(part.points, teeth=True)
         if part.surface != SKIN:
             return np.ones(len(part.points))
         past_lips = 1.0 - part.attributes[:, INNER] * (1.0 - self._past_lips(part.points))
@@ -109,18 +107,12 @@ class GlbPaint:
         bare = part.attributes[np.abs(self._depth) < HEM, ALBEDO : ALBEDO + 3].astype(np.float64).mean(axis=0)
         return np.asarray(np.clip(self._cloth / bare, 1e-3, 1.0))
 
-    def _past_lips(self, points: Array) -> Array:
-        """Return the share of light (n,) that enters past open lips, reaches points, and leaves.
-
-        Half the difference of the sines towards the edges of an endless slit; depth darkens twice, as light
-        leaves by the way it enters.
-        """
-        mouth = self._anatomy.mouth
-        behind = np.maximum(mouth[2] - points[:, 2], 0.3)
-        up, down = mouth[1] + _UPPER - points[:, 1], mouth[1] - _LOWER - points[:, 1]
-        seen = np.clip(0.5 * (up / np.hypot(up, behind) - down / np.hypot(down, behind)), 0.0, 1.0)
-        seen /= 1.0 + (behind / _ABSORBED) ** 2
-        return np.asarray(np.maximum(np.minimum(2.3 * seen, 1.0) * (0.4 + 0.6 * seen), _LEAST))
+    def _past_lips(self, points: Array, *, teeth: bool = False) -> Array:
+        """Return the share of light (n,) that enters past open lips, reaches points (n, 3), and leaves."""
+        (_, height, front), share = self._anatomy.mouth.astype(np.float32), np.empty(len(points), np.float32)
+        slit = front, height + np.float32(_UPPER), height - np.float32(_LOWER)
+        past_open_lips(points.astype(np.float32), *slit, teeth, share)
+        return np.maximum(share.astype(np.float64), _LEAST)
 
 
 def _columns() -> Array:

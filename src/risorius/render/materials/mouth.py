@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from ...core.arrays import Float32Array
-from ...core.kernels.jit import f4, fast_device, fast_inlined
+from ...core.kernels.jit import f4, fast_device, fast_inlined, fast_kernel
 from ...core.kernels.vec import (
     Vec,
     along,
@@ -139,6 +139,22 @@ def strip_share(
 def _edge(lips: Float32Array, i: int, s: float, column: int) -> tuple[float, float]:
     y, z = lips[i, column], lips[i, column + 1]
     return y + (lips[i + 1, column] - y) * s, z + (lips[i + 1, column + 1] - z) * s
+
+
+@fast_kernel
+def past_open_lips(
+    points: Float32Array, front: float, top: float, low: float, teeth: bool, share: Float32Array
+) -> None:
+    """Write the share (n,) of light, 0..1, that reaches points (n, 3) of a head at rest past open lips.
+
+    They are an endless slit at the depth `front` between the heights `top` and `low`, mm. With `teeth` it is
+    what comes out of teeth there.
+    """
+    for k in range(len(points)):
+        y, z = points[k, 1], points[k, 2]
+        seen = strip_share(f4(0), y, z, f4(0), f4(0), top, front, low, front)
+        deep = past_strips(seen, seen, front - z)
+        share[k] = min(spread_in_teeth(deep), f4(1)) if teeth else deep
 
 
 @fast_device
