@@ -37,11 +37,8 @@ _FINE = math.radians(-4.5), math.radians(1.5)  # where hairs that lie over the f
 _CROSSED = math.radians(1.5)  # how far a hair may lie over the face's edge
 # How far hair on the cheeks turns inwards and forwards, and by which share it is flatter.
 _INWARDS, _FORWARDS, _FLATTER = 0.45, 0.1, 0.7
-_LOCKS, _DRAWN, _LATE = (
-    400,
-    1.2,
-    2.0,
-)  # the number of locks, and how much and how late hairs are drawn to them
+_LOCKS = 400
+_DRAWN, _LATE = 1.2, 2.0  # how much, and how late on their way, hairs are drawn to their lock
 
 
 def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, looks: Looks) -> Strands:
