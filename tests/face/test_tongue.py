@@ -45,3 +45,15 @@ def test_it_stands_for_consonants_and_lies_down_in_the_open_mouth(tongue):
     lowered = [(jaw.carry(shapes.rest, o) - placed(tongue, o))[:, 1].max() for o in (0.2, 0.5, 1.0)]
     assert 0.5 < lowered[0] < lowered[1] < lowered[2]
     assert lowered[2] > 10.0
+
+
+def test_in_the_open_mouth_its_edges_lie_lower_than_its_middle(tongue):
+    shapes, _ = tongue
+    x = np.abs(shapes.rest[:, 0])
+    lowered = -shapes.lying[:, 1]
+    for z in np.arange(-40.0, 0.0, 10.0):
+        slice_ = np.abs(shapes.rest[:, 2] - z) < 5.0
+        top = shapes.rest[:, 1] > np.median(shapes.rest[slice_, 1])
+        middle, edge = slice_ & top & (x < 4.0), slice_ & (x > 0.8 * x[slice_].max())
+        highest = (shapes.rest[:, 1] - lowered)[middle].max()
+        assert highest - (shapes.rest[:, 1] - lowered)[edge].max() > 2.0

@@ -37,9 +37,10 @@ from .scalp import scalp_shade
 from .srgb import linear
 from .strands import Strands, root_frames
 from .surface import Surface
+from .tongue_paint import tongue_colours
 
 HEM = 10.0  # mm over which skin blends into cloth: the width of triangles there
-_TOOTH, _GUM, _TONGUE = (244, 234, 214), (206, 138, 130), (206, 122, 114)
+_TOOTH, _GUM = (244, 234, 214), (206, 138, 130)
 TEETH_GLOSS, TONGUE_GLOSS = (0.035, 1.3), (0.09, 1.0)
 """Roughness and strength."""
 
@@ -135,7 +136,8 @@ def tongue_part(head: Head) -> Part:
     points = np.asarray(fine.matrix @ head.tongue.rest)
     triangles = _outward(points, fine.triangles)
     faces = np.ascontiguousarray(fine.quads if triangles is fine.triangles else fine.quads[:, ::-1])
-    attributes = _attributes(len(points), _TONGUE, *TONGUE_GLOSS)
+    attributes = _attributes(len(points), (255, 255, 255), *TONGUE_GLOSS)
+    attributes[:, ALBEDO : ALBEDO + 3] = tongue_colours(points)
     return Part("tongue", points, faces, triangles, attributes, TONGUE, _albedo(attributes), 0.3)
 
 

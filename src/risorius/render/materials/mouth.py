@@ -236,5 +236,5 @@ def tooth_share(cosine: float) -> float:
 
 @fast_device
 def towards_lips(cosine: float) -> float:
-    """Return the share of the light past the lips on flesh: it comes from there, but from all sides too."""
-    return cosine * f4(0.4) + f4(0.6)
+    """Return what flesh gets of the light past the lips: from there, and again from the flesh around it."""
+    return cosine * f4(0.7) + f4(0.7)
