@@ -111,3 +111,11 @@ def test_creases_are_as_far_apart_as_the_table_says(head, rest):
     phase, points = placed.phase[middle][order], rest[middle][order]
     length = np.linalg.norm(np.diff(points, axis=0), axis=1).sum()
     assert (phase[-1] - phase[0]) * placed.region.layout.spacing == pytest.approx(length, rel=0.2)
+
+
+def test_the_folds_of_a_frown_part_upwards(head, rest):
+    """Parallel grooves of one length look like the prongs of a fork."""
+    placed = place_regions(head)[region_names().index("glabella")]
+    crease = (np.abs(placed.phase) < 0.12) & (placed.zone.mask > 0.3) & (rest[:, 0] > 0.0)
+    x, y = rest[crease, 0], rest[crease, 1]
+    assert np.polyfit(y, x, 1)[0] > 0.12

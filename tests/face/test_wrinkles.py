@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 
 from risorius.errors import InputError
 from risorius.face.links import NO_LINKS
-from risorius.face.regions import region_names, regions
+from risorius.face.marks import Marks
+from risorius.face.regions import place_regions, region_names, regions
 from risorius.face.solve import FaceSolver
 from risorius.face.wrinkles import FLAT, LOW, Wrinkles, capped, fold_height
 from tests.profiles import examples
@@ -211,3 +212,14 @@ def test_an_open_jaw_draws_the_folds_beside_the_nose_out(old):
         assert opened[INDEX["sneer"]] < 0.25
         assert opened[INDEX["wing"]] < 0.08
         assert opened[INDEX["nasolabial"]] < 0.35
+
+
+def test_the_fold_of_a_smile_runs_from_the_noses_wing_to_below_the_corner_of_the_mouth(young, rest):
+    """A fold that ends beside the corner lies there as a dent of its own."""
+    placed, marks = place_regions(young.head)[INDEX["nasolabial"]], Marks.of(young.head)
+    heights = young.solve(values_of(SMILE)).wrinkles[:, INDEX["nasolabial"]]
+    wing, corner = (marks.landmarks[k, 1] * marks.unit for k in (35, 54))
+    on_crease = np.abs(placed.phase) < 0.06
+    for level in np.linspace(wing, corner - 8.0, 6):
+        near = on_crease & (np.abs(rest[:, 1] - level) < 4.0) & (rest[:, 0] > 0.0)
+        assert heights[near].max() > 0.3, level
