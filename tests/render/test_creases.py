@@ -15,7 +15,7 @@ from risorius.face.regions import place_regions, region_names
 from risorius.face.solve import FaceSolver
 from risorius.looks.head_model import head_model
 from risorius.render.creases import DIMPLES, FOLD, FURROW, KIND, SHARE, lay_creases
-from risorius.render.materials.folds import ridge
+from risorius.render.materials.folds import pit, ridge
 from risorius.render.software_renderer import SoftwareRenderer
 
 SIDE = 720
@@ -118,3 +118,12 @@ def test_a_crease_is_darkest_and_quite_dark_at_its_bottom():
     assert dark[0] == pytest.approx(1.0, abs=0.01)
     assert dark[0] > dark[1] > dark[2]
     assert dark[2] < 0.1
+
+
+def test_pits_of_the_chin_have_no_edge():
+    """A hard edge between pit and hill looks like the peel of an orange."""
+    heights = np.linspace(-0.95, 0.95, 39, dtype=np.float32)
+    shares = [pit(h, np.float32(4.0), np.float32(0.1))[0] for h in heights]
+    steps = np.diff(shares)
+    assert (steps < 0.0).all()
+    assert steps.min() == pytest.approx(steps.max(), rel=0.01)

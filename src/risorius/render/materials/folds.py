@@ -162,5 +162,5 @@ def _dimple(
 def pit(h: float, spacing: float, blur: float) -> tuple[float, float]:
     """Return the share of the grain's slope that pits have where its height is h, and their darkness."""
     seen = f4(1) - saturate((blur / spacing - f4(0.25)) * f4(3))
-    # Pits, not hills: heights below the mean count in full, those above hardly.
-    return saturate(f4(0.6) - h) * f4(0.75) * seen, saturate(-h) * seen
+    # Pits more than hills, without an edge between: a hard one looks like the peel of an orange.
+    return saturate(f4(0.5) - f4(0.5) * h) * f4(0.65) * seen, saturate(-h) * seen
