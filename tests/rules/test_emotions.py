@@ -156,7 +156,8 @@ def test_a_display_is_within_range_and_symmetric(name: str) -> None:
     targets = emotion(name).targets(1.0)
     for p in PARAMETERS:
         if p.name in targets:
-            assert 0.0 < targets[p.name] <= p.high
+            assert p.low <= targets[p.name] <= p.high
+            assert targets[p.name] != 0.0
             assert p.side != "left" or targets[p.name] == targets[f"{p.base}.right"]
 
 
@@ -275,3 +276,19 @@ def test_a_file_says_how_an_emotion_appears_and_when_it_is_too_strong_to_speak(t
     glee = emotion(str(path))
     assert (glee.apex, glee.function) == (1.5, "linear")
     assert [glee.priority_at(i) for i in (0.5, 0.75, 0.875, 1.0)] == [10.0, 30.0, 55.0, 80.0]
+
+
+def test_surprise_opens_the_mouth_wide_before_it_is_full() -> None:
+    assert emotion("surprise").targets(0.8)["masseter"] > 0.4
+
+
+def test_happiness_reaches_the_lids() -> None:
+    shown = emotion("happiness").targets(0.8)
+    assert shown["orbicularis_oculi_orbitalis.left"] > 0.8
+    assert shown["orbicularis_oculi_palpebralis.left"] > 0.05
+
+
+def test_an_embarrassed_look_falls_and_is_not_from_the_corner_of_the_eye() -> None:
+    shown = emotion("embarrassment").targets(1.0)
+    assert shown["gaze_pitch"] < -3.0 * abs(shown["gaze_yaw"])
+    assert shown["orbicularis_oris_presser"] > shown["zygomatic_major.left"]
