@@ -223,3 +223,12 @@ def test_the_fold_of_a_smile_runs_from_the_noses_wing_to_below_the_corner_of_the
     for level in np.linspace(wing, corner - 8.0, 6):
         near = on_crease & (np.abs(rest[:, 1] - level) < 4.0) & (rest[:, 0] > 0.0)
         assert heights[near].max() > 0.3, level
+
+
+def test_a_fold_that_muscles_draw_in_opens_where_the_skin_is_stretched(old):
+    """Creases beside the nose of old skin are shallower in an open mouth; the first pull makes no jump."""
+    k, opened = INDEX["nasolabial"], {"masseter": 1.0, "AU16": 1.0}
+    still, stretched = (old.solve(values_of(t)).wrinkles[:, k].copy() for t in ({}, opened))
+    assert (still - stretched).max() > 0.05
+    pulled = old.solve(values_of(opened | {"AU12": 1e-4})).wrinkles[:, k]
+    assert np.abs(pulled - stretched).max() < 0.01

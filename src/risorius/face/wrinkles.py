@@ -107,6 +107,7 @@ class _DrawnIn(NamedTuple):
     left: Array
     gathers: float
     alone: bool
+    work: tuple[Array, Array]
 
     @classmethod
     def of(cls, placed: PlacedRegion, zone: int, compression: Compression) -> _DrawnIn:
@@ -119,13 +120,21 @@ class _DrawnIn(NamedTuple):
         names = (layout.muscle,) if isinstance(layout, Dimples) else layout.muscles
         muscles = np.array([[INDEX[p.name] for p in parameters_named(name)] for name in names])
         left = np.full(rows.stop - rows.start, 0.5) if alone else compression.row_side[rows]
-        return cls(rows, muscles, left, layout.gathers, alone)
+        return cls(rows, muscles, left, layout.gathers, alone, (np.empty_like(left), np.empty_like(left)))
 
     def shorten(self, values: Array, stretch: Array) -> None:
-        """Write the rows' `stretch` at `values` (46,); that of the strongest muscle counts."""
-        left, right = values[self.muscles].max(axis=0).tolist()
-        drawn = 1.0 - self.gathers * (right + (left - right) * self.left)
-        stretch[self.rows] = drawn if self.alone else np.minimum(stretch[self.rows], drawn)
+        """Write the rows' `stretch` at `values` (46,); that of the strongest muscle counts.
+
+        Skin that is stretched is shortened from there, so that its creases stay open while no muscle pulls.
+        """
+        left, right = (self.gathers * a for a in values[self.muscles].max(axis=0).tolist())
+        own, (drawn, more) = stretch[self.rows], self.work
+        if self.alone:
+            own.fill(1.0)
+        np.maximum(own, 1.0, out=drawn)
+        drawn -= right
+        drawn -= np.multiply(self.left, left - right, out=more)
+        np.minimum(own, drawn, out=own)
 
 
 class _HeldFlat(NamedTuple):
