@@ -38,3 +38,14 @@ def test_outputs_load_only_what_they_need(outputs: list[str], unneeded: set[str]
     )
     assert all((tmp_path / output).exists() for output in outputs)
     assert not unneeded & set(ended.stdout.split())
+
+
+def test_a_command_looks_for_garbage_seldom_and_not_at_its_end() -> None:
+    code = (
+        "import atexit, gc, sys; from risorius.cli import main; sys.argv[1:] = ['--version'];"
+        "atexit.register(lambda: print(gc.get_threshold()[0], gc.get_freeze_count())); main()"
+    )
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    objects, frozen = map(int, ended.stdout.split()[-2:])
+    assert objects > 2_000
+    assert frozen > 10_000
