@@ -49,13 +49,14 @@ MAY_IMPORT: Mapping[str, set[str]] = {
     "take": TAKE | {"notebook"},
     "pipeline": PIPELINE - {"face", "looks", "render", "ports"},
     "api": PIPELINE | {"pipeline"},
+    "speaking": PIPELINE | {"api"},
     "live": PIPELINE | {"pipeline", "api"},
     "batches": PIPELINE | {"pipeline", "api"},
     "__init__": LIBRARY,
     "stream": LIBRARY,
     "serve": LIBRARY | {"__init__", "stream", "web"},
     "studio": LIBRARY | {"__init__", "stream", "serve", "web"},
-    "cli": LIBRARY | {"__init__", "stream", "serve", "studio"},
+    "cli": LIBRARY | {"__init__", "speaking", "stream", "serve", "studio"},
     "__main__": {"cli"},
 }
 # What a package may not see of one that it imports: the face knows curves alone, whatever they come from.

@@ -19,7 +19,7 @@ from .rules.rule_set import emotions_of, rule_set_of
 from .script import Script
 from .settings import Settings
 from .speech import VOICE_SETTINGS, Input, SpokenBefore, feelings, hear, read, say
-from .take import Take, lip_rig
+from .take import Take, lip_rig, with_profile
 from .unread import refuse_unread
 
 
@@ -35,13 +35,6 @@ def perform(given: Input, emotions: Displays, settings: Settings, progress: Prog
             script, utterance = hear(source, progress)
         score = compose(script, utterance, emotions, settings)
     return combine(announced(score, settings.fps, progress), settings, utterance)
-
-
-def with_profile(settings: Settings) -> Settings:
-    """Return settings with the age and the wrinkles of their profile where they choose none."""
-    profile = profile_of(settings.profile)
-    age = profile.age if settings.age is None else settings.age
-    return replace(settings, age=age, wrinkles={**profile.wrinkles, **settings.wrinkles})
 
 
 def speak(

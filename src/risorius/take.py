@@ -23,6 +23,7 @@ from .core.progress import Progress, quiet
 from .core.score import Score
 from .core.utterance import Utterance
 from .errors import InputError, check_number
+from .rules.profiles import profile_of
 from .settings import Settings, parse_size
 
 if TYPE_CHECKING:
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from .face.head import Head
     from .face.measure import Gauge
     from .face.solve import FaceSolver
+    from .render import Renderer, RendererSetup
 
 _MUSCLES = frozenset(p.name for p in MUSCLES)
 
@@ -183,7 +185,7 @@ class Take:
         Each is an array of its own: RGB, uint8 (height, width, 3), or with a transparent background RGBA with
         straight alpha. `size` is width and height, by default the settings'.
         """
-        from .render import PictureInput, RendererSetup, open_renderer
+        from .render import PictureInput, RendererSetup
         from .render.overlay import Overlays, Subject
 
         chosen = range(len(self.performance.values)) if indices is None else indices
@@ -194,7 +196,7 @@ class Take:
         overlays = Overlays(look.overlay, subject, size or self.settings.size)
         suppression = self._suppression(chosen) if look.style == "muscles" else repeat(None)
         setup = RendererSetup(self.head, overlays.picture_size, look, lambda: next(self.faces([0])), progress)
-        with open_renderer(setup) as renderer:
+        with self.cache.renderer(setup) as renderer:
             inputs = map(PictureInput, self.faces(chosen, reuse=True), suppression)
             for done, (frame, picture) in enumerate(zip(chosen, renderer.draw(inputs), strict=True)):
                 drawn = overlays.draw(picture, frame)
@@ -316,6 +318,7 @@ class HeadCache:
     def __init__(self, most: int = 3) -> None:
         self._most = most
         self._solvers: dict[object, FaceSolver] = {}
+        self._prepared: tuple[RendererSetup, Renderer] | None = None
 
     def solver(self, settings: Settings) -> FaceSolver:
         """Return a solver as `make_solver` does, as the newest entry; the oldest beyond `most` go."""
@@ -326,6 +329,25 @@ class HeadCache:
         while len(self._solvers) > self._most:
             del self._solvers[next(iter(self._solvers))]
         return solver
+
+    def renderer(self, setup: RendererSetup) -> Renderer:
+        """Return the renderer that was prepared, if it draws the same pictures, or else open one."""
+        from .render import open_renderer
+
+        prepared, self._prepared = self._prepared, None
+        if prepared is None:
+            return open_renderer(setup)
+        known, renderer = prepared
+        if known.head is setup.head and (known.size, known.look) == (setup.size, setup.look):
+            return renderer
+        renderer.close()
+        return open_renderer(setup)
+
+    def prepare_renderer(self, setup: RendererSetup) -> None:
+        """Open a renderer ahead for the next take that draws the same pictures. Raises as `Take.pictures`."""
+        from .render import open_renderer
+
+        self._prepared = setup, open_renderer(setup)
 
 
 def _counted(faces: Iterator[FaceFrame], total: int, progress: Progress) -> Iterator[FaceFrame]:
@@ -344,8 +366,10 @@ def make_solver(settings: Settings) -> FaceSolver:
 
     head = head_of(settings)
     phases: Literal["linear", "biphasic"] = "biphasic" if settings.dynamics == "biphasic" else "linear"
-    links = Links.of(rule_set_of(settings.rules).tables.links(link_rows(head.links_file)))
-    return FaceSolver(head, links, phases, age=head.identity.age, wrinkles=settings.wrinkles)
+    rows = link_rows(head.links_file)
+    if settings.rules is not None:  # the package's own rules, which take a tenth of a second, change no head
+        rows = rule_set_of(settings.rules).tables.links(rows)
+    return FaceSolver(head, Links.of(rows), phases, age=head.identity.age, wrinkles=settings.wrinkles)
 
 
 def lip_rig(score: Score, head: str) -> LipRig | None:
@@ -358,3 +382,10 @@ def lip_rig(score: Score, head: str) -> LipRig | None:
 
     articulated = any(name in ARTICULATORS for s in score.lips for name in s.targets)
     return load_lip_rig(head) if articulated else None
+
+
+def with_profile(settings: Settings) -> Settings:
+    """Return settings with the age and the wrinkles of their profile where they choose none."""
+    profile = profile_of(settings.profile)
+    age = profile.age if settings.age is None else settings.age
+    return replace(settings, age=age, wrinkles={**profile.wrinkles, **settings.wrinkles})

@@ -10,7 +10,6 @@ import risorius
 from risorius.core.links import Link
 from risorius.errors import InputError, RisoriusError
 from risorius.face.links import link_rows
-from risorius.pipeline import with_profile
 from risorius.rules.doctor import examine
 from risorius.rules.emotions import emotion, emotion_names, emotions
 from risorius.rules.lips import lip_table
@@ -129,8 +128,12 @@ def test_what_a_file_adds_can_be_performed_and_its_rules_know_it(tmp_path: Path)
         risorius.speak("He did it.", emotion="smirk:1")
 
 
+def test_the_own_rules_change_no_links() -> None:
+    assert not shipped().tables.touches("links")  # so that a head needs none of them
+
+
 def test_a_changed_link_moves_the_skin(tmp_path: Path) -> None:
-    from risorius.take import make_solver
+    from risorius.take import make_solver, with_profile
 
     file = tmp_path / "mine.toml"
     file.write_text(entry("links.frontalis_medialis.frontalis_lateralis", "weight = 1.0"))

@@ -10,7 +10,6 @@ from pathlib import Path
 from ..api import displays_of
 from ..core.paths import is_utf8
 from ..errors import InputError, Place, RisoriusError, UnreadError
-from ..pipeline import with_profile
 from ..ports.targets import Target, check_alpha
 from ..rules.emotions import Displays
 from ..rules.profiles import attitude
@@ -19,6 +18,7 @@ from ..script import Script
 from ..settings import Settings, settings_of
 from ..speech import Input, read
 from ..speech.input import TRANSCRIPT_SUFFIXES
+from ..take import with_profile
 from ..unread import SCORE, refuse, refuse_unread, refuse_unwritten
 from .columns import check_columns, normal, setting_columns
 from .manifest import ManifestRow

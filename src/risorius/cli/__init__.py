@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import errno
-import gc
 import os
 import signal
 import sys
@@ -14,6 +13,7 @@ from pathlib import Path
 import click
 
 from .. import __version__
+from ..core.garbage import collect_no_more, collect_seldom
 from ..core.paths import is_file
 from ..errors import LONGEST_LINE, Place, RisoriusError, UnreadError, nearest, printable, shortened
 from .align import align
@@ -37,20 +37,18 @@ EXIT_FAULT = 2
 DEBUG = "--debug"
 STRICT = "RISORIUS_STRICT"
 """The environment's variable under which unforeseen errors are raised: the tests set it."""
-_YOUNG = 10_000
-"""New objects after which Python looks for garbage: at its own 700 that takes a twentieth of a picture."""
 
 
 def main() -> None:
     """Run the command line: exit code 0, or 2 with one line on what is wrong, or 130 when interrupted."""
     # Read by numpy when it is loaded: our products are small, and threads only take time from each other.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    gc.set_threshold(_YOUNG)
+    collect_seldom()
     # Asked to end, we end as when interrupted: what is half-written goes.
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, interrupt)
     code = run(sys.argv[1:])
-    gc.freeze()  # else Python looks for garbage among all that there is once more, .15 s after a picture
+    collect_no_more()
     sys.exit(code)
 
 

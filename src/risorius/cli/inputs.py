@@ -38,17 +38,24 @@ class Spoken:
         """Perform it; `-` is the text on standard input."""
         from ..api import speak
 
+        return speak(**self._arguments(), settings=settings, progress=progress)
+
+    def perform_to_draw(self, settings: Settings, progress: Progress) -> Take:
+        """Perform it, and load what draws its pictures meanwhile."""
+        from ..speaking import speak_and_prepare
+
+        return speak_and_prepare(self._arguments(), settings, progress)
+
+    def _arguments(self) -> dict[str, Any]:
         source, name = (self.source, "text") if self.source != "-" else (_standard_input(), "stdin")
-        return speak(
-            source,
-            audio=self.audio,
-            transcript=self.transcript,
-            text=self.is_text or name == "stdin",
-            source=name,
-            emotion=self.emotions,
-            settings=settings,
-            progress=progress,
-        )
+        return {
+            "script": source,
+            "audio": self.audio,
+            "transcript": self.transcript,
+            "text": self.is_text or name == "stdin",
+            "source": name,
+            "emotion": self.emotions,
+        }
 
 
 _OPTIONS: tuple[Callable[[Any], Any], ...] = (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
@@ -45,5 +46,14 @@ def speak(
         if not named:
             console.say(f"Writing {DEFAULT_OUTPUT} (choose with -o)")
         check_outputs(files, settings)
-        take = spoken.perform(settings, console.progress)
+        perform = spoken.perform_to_draw if _is_film(files) else spoken.perform
+        take = perform(settings, console.progress)
         take.write(*files, progress=console.progress)
+
+
+def _is_film(files: Collection[Path]) -> bool:
+    """Whether a film is written, which is worth a process."""
+    from ..ports.formats import format_for
+    from ..ports.video.codecs import CODECS
+
+    return any(format_for(file).suffix.removeprefix(".") in CODECS for file in files)

@@ -11,7 +11,7 @@ import numpy as np
 from ..core.audio import Audio, AudioWriter, Samples
 from ..core.utterance import SILENCE, Utterance
 from ..errors import Place, RisoriusError
-from ..pipeline import combine, compose, with_profile
+from ..pipeline import combine, compose
 from ..rules.emotions import Displays
 from ..script import SpokenLine
 from ..script.model import script_of
@@ -28,7 +28,7 @@ from ..speech.prosody.pitch import measure_pitch
 from ..speech.recordings.recognition import heard
 from ..speech.recordings.recording import SHORTEST, SILENT_PEAK
 from ..speech.text.tokens import is_speakable
-from ..take import Take
+from ..take import Take, with_profile
 from .voice import Known, VoicedPhrase
 
 # Seconds of a voice's own silence that stand for as much of the lead.

@@ -20,9 +20,9 @@ from ..channels.gaze import LISTENER
 from ..core.arrays import Array
 from ..core.frame_rate import parse_fps
 from ..errors import InputError, ParameterError, UnreadError, check_number, unknown
-from ..pipeline import with_profile
 from ..rules.emotions import Displays, emotion_names
 from ..settings import Settings
+from ..take import with_profile
 from .beside import performer_beside
 from .frame import LiveFrame
 from .idle import IDLE_SECONDS, idle_take

@@ -29,7 +29,6 @@ from ..face.head import Head, load_head
 from ..face.regions import region_names
 from ..settings import Look
 from .from_look import renderer_from_look
-from .renderer_pool import processors
 
 _PATIENCE = 300.0
 """Seconds to wait for the other process; after that, this process compiles for itself."""
@@ -109,7 +108,7 @@ def _compiler(style: str, tell: Callable[[], None], ready: bool) -> Iterator[Cal
 
     None is started if the package's code is `ready` for all kernels.
     """
-    if ready or processors() < 2:
+    if ready or processes.processors() < 2:
         yield _no_wait
         return
     process = processes.start("risorius.render.ahead", style, stdin=DEVNULL, stdout=DEVNULL, stderr=DEVNULL)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections import deque
 from collections.abc import Iterable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -11,6 +10,7 @@ from types import TracebackType
 from typing import Self
 
 from ..core.arrays import ByteArray
+from ..core.processes import processors
 from .protocol import PictureInput
 from .software_renderer import SoftwareRenderer
 
@@ -85,15 +85,3 @@ def _draw(idle: SimpleQueue[SoftwareRenderer], picture: PictureInput) -> ByteArr
         return renderer.render(picture.frame, suppression=picture.suppression)
     finally:
         idle.put(renderer)
-
-
-def processors() -> int:
-    """Return how many processors this process may use: at most RISORIUS_THREADS if that is set."""
-    most = os.environ.get("RISORIUS_THREADS", "")
-    return min(_processors(), int(most)) if most.isdecimal() and int(most) else _processors()
-
-
-def _processors() -> int:
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1

@@ -11,7 +11,7 @@ from ..core.progress import Progress
 from ..core.setting import Stage
 from ..core.utterance import Utterance
 from ..errors import InputError, warnings_to
-from ..pipeline import compose, speak, with_profile
+from ..pipeline import compose, speak
 from ..ports.readable import ScoreFile
 from ..rules.emotions import Display, Displays
 from ..rules.rule_set import emotions_of
@@ -20,6 +20,7 @@ from ..settings import Settings
 from ..speech import LabelledRecording, Recording, hear
 from ..speech.recordings.recording import read_recording
 from ..speech.structure.edges_moved import EdgeShift, with_edges
+from ..take import with_profile
 from ..unread import values_read
 from . import limits
 from .choices import blend_of, settings_of

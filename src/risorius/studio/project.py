@@ -24,9 +24,9 @@ from ..core.hints import Then
 from ..core.schema import placed, within
 from ..core.utterance import Utterance
 from ..errors import InputError
-from ..pipeline import with_profile
 from ..ports.readable import ScoreFile
 from ..ports.score_json import ScoreDocument, score_to_json
+from ..take import with_profile
 from .choices import settings_of
 from .messages import encoded, read_message
 from .scores import parsed, score_file

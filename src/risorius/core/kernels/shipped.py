@@ -28,6 +28,7 @@ from numba.core.compiler import CompileResult, compile_result
 from numba.core.environment import Environment
 from numba.core.funcdesc import PythonFunctionDescriptor
 from numba.core.registry import cpu_target
+from numba.core.runtime import rtsys
 from numba.core.typing import signature
 
 from . import kernel_source
@@ -70,7 +71,12 @@ class KernelCache(FunctionCache):  # type: ignore[misc]  # numba has no types
 
     def load_overload(self, sig: Any, target_context: Any) -> CompileResult | None:
         """Return the compiled kernel for some types, or None if it has to be compiled."""
-        found = super().load_overload(sig, target_context)
+        found = None
+        # numba's own method first makes ready for compiling, which takes a quarter of a second; the compiler
+        # does so itself.
+        rtsys.initialize(target_context)
+        with self._guard_against_spurious_io_errors():
+            found = self._load_overload(sig, target_context)
         if found is None:
             found = load(self._py_func, sig, target_context)
             if found is not None:
