@@ -3,7 +3,16 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from risorius.face.crowding import LEAST, STEEPEST, Crowding, Distances, altitudes, relieve, struts
+from risorius.face.crowding import (
+    LEAST,
+    STEEPEST,
+    SWEEPS,
+    Crowding,
+    Distances,
+    altitudes,
+    relieve,
+    struts,
+)
 from risorius.face.head import load_head
 from risorius.face.links import NO_LINKS
 from risorius.face.solve import FaceSolver
@@ -50,7 +59,7 @@ def test_what_many_muscles_crowd_keeps_its_room(head, crowding):
 def test_one_edge_is_pushed_apart_evenly():
     points, way = np.array([[0, 1, 1]], np.int32), np.array([[1.0, 0.0, 0.0]])
     moved = np.array([[3.0, 0.5, 0.0], [0.0, 0.0, 0.2]])
-    relieve(points, np.zeros(1), way, np.array([2.0]), 4, moved)
+    relieve(points, np.zeros(1), way, np.array([2.0]), 4, np.empty(1, np.uint32), moved)
     np.testing.assert_allclose(moved, [[2.5, 0.5, 0.0], [0.5, 0.0, 0.2]])
     assert 0.0 < LEAST < 1.0
 
@@ -63,7 +72,7 @@ def test_a_narrow_face_is_kept_from_turning_over():
     moved = np.array([[0.0, 1.4, 0.0], [0.0, 1.4, 0.0], [3.0, 0.0, 0.0], [3.0, 0.0, 0.0]])
     assert widths.shortened(moved).max() > 1.0
     allowance = 0.6 * widths.length
-    relieve(widths.points, widths.foot, widths.way, allowance, 40, moved)
+    relieve(widths.points, widths.foot, widths.way, allowance, 40, np.empty(len(allowance), np.uint32), moved)
     assert (widths.shortened(moved) - allowance).max() < 0.05
     assert (rest + moved)[3, 1] > (rest + moved)[0, 1]
 
@@ -72,6 +81,16 @@ def test_a_narrow_face_is_kept_from_turning_over():
 CREASED = [
     ("mei", None, {"frontalis_medialis": 0.69, "depressor_supercilii": 1.0, "levator_palpebrae": 0.93}),
     ("olaf", 75, {"depressor_supercilii": 0.97, "corrugator_supercilii": 0.9, "levator_palpebrae": 0.7}),
+    (  # the brow is lowered by the joint field of its depressor and the ring of the eye, too
+        "mei",
+        None,
+        {
+            "depressor_supercilii": 0.857,
+            "corrugator_supercilii": 0.866,
+            "levator_palpebrae": 0.984,
+            "orbicularis_oculi_orbitalis": 0.18,
+        },
+    ),
 ]
 
 
@@ -80,6 +99,18 @@ def test_a_lid_below_a_lowered_brow_is_not_laid_over(name, age, pose):
     head = load_head(name, age=age)
     one_sided = {f"{muscle}.right": value for muscle, value in pose.items()}
     assert Flips(head).count(FaceSolver(head).solve(values_of(one_sided)).skin) == 0
+
+
+def test_distances_that_are_far_from_their_limit_are_met_too(head, crowding, solver):
+    """Sweeps between those over all distances look at the close ones only: as many sweeps over all do."""
+    crowded = displaced(solver, dict.fromkeys((*MOUTH_MUSCLES, "depressor_supercilii", "masseter"), 1.0))
+    found, one_by_one = crowding.distances, crowded.copy()
+    for _ in range(SWEEPS):
+        relieve(found.points, found.foot, found.way, crowding.allowance, 1, crowding.close, one_by_one)
+    pushed = crowded.copy()
+    crowding.relieve(pushed)
+    assert np.linalg.norm(pushed - crowded, axis=1).max() > 0.3
+    np.testing.assert_allclose(pushed, one_by_one, atol=0.05)
 
 
 def test_no_corner_leaves_its_face_steeply(crowding, head):

@@ -16,6 +16,7 @@ from risorius.rules.emotions import emotion
 from tests.profiles import everyday
 
 from .conftest import values_of
+from .flips import Flips
 from .teeth import TeethTester
 
 PIERCED = 0.3  # mm
@@ -116,6 +117,13 @@ def test_a_long_edge_is_kept_out_by_its_middle_evenly_as_it_grows(teeth, head):
     assert pushed[0] == 0.0
     assert pushed[-1] > 0.5
     assert np.abs(np.diff(pushed)).max() < 0.15
+
+
+def test_a_corner_that_is_pushed_before_the_teeth_is_not_folded_over(solver, head):
+    """Where an open mouth's corner was drawn back against the teeth, its layers lay all but flat."""
+    pose = {"risorius": 0.648, "levator_labii_nasi": 0.891, "triangularis": 0.16, "masseter": 0.807}
+    found, _ = Flips(head).with_areas(solver.solve(values_of(pose)).skin)
+    assert len(found) == 0
 
 
 def test_a_tongue_behind_the_teeth_stays_and_one_in_them_does_not(teeth, head):

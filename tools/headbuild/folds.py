@@ -21,7 +21,8 @@ def unfolded(bust: Bust, rest: AnyArray, field: AnyArray) -> AnyArray:
     points = np.vstack([edges[:, [0, 1, 1]], widths])
     found = Distances.of(points[_outside(bust, rest)[points].all(axis=1)], rest)
     moved = field.copy()
-    relieve(found.points, found.foot, found.way, (1.0 - _LEFT) * found.length, _SWEEPS, moved)
+    close = np.empty(len(found.points), np.uint32)
+    relieve(found.points, found.foot, found.way, (1.0 - _LEFT) * found.length, _SWEEPS, close, moved)
     return moved
 
 

@@ -17,12 +17,11 @@ from functools import lru_cache
 import numpy as np
 
 from ..core.array_cache import cached_arrays
-from ..core.arrays import Array, BoolArray, Int32Array, IntArray
+from ..core.arrays import AnyArray, Array, BoolArray, Int32Array, IntArray, UInt32Array
 from ..core.kernels.jit import kernel
 from ..core.mesh_sides import unique_pairs
-from ..core.parameters import PARAMETERS
 from .head import Head
-from .muscles import ELSEWHERE
+from .muscles import fields_of
 
 LEAST = 0.6  # share of an edge's length at rest that remains along its direction
 LEAST_WIDTH = 0.5  # share of a face's width at rest that remains
@@ -30,6 +29,8 @@ STEEPEST = 0.5  # share of a face's width at rest by which a corner may leave th
 LAID_OVER = 1.2  # share of a face's width: if all muscles together narrow and lift it more, it may fold over
 TURNING = 0.9  # share of a face's width: if all muscles together narrow it more, it may turn over
 SWEEPS = 20
+ALL = 5  # sweeps from one over all distances to the next
+CLOSE = 0.3  # mm from its allowance: pushes elsewhere may bring a distance beyond it
 NEAR = 1e-2  # mm: shorter distances at rest are left out
 
 
@@ -76,25 +77,32 @@ class Distances:
 
 @dataclass(frozen=True, slots=True)
 class Crowding:
-    """The distances that muscles could fold over; each may shorten by its `allowance` (d,) mm."""
+    """The distances that muscles could fold over; each may shorten by its `allowance` (d,) mm.
+
+    `close` (d,) is the workspace of `relieve`: not for two threads at a time.
+    """
 
     distances: Distances
     allowance: Array
+    close: UInt32Array
 
     @classmethod
-    @lru_cache(maxsize=4)
     def of(cls, head: Head) -> Crowding:
         """Find the distances that all muscles of `head` together could shorten too far."""
-        fields = _fields(head)
-        *distances, allowance = cached_arrays(
-            "crowding", [head.rest, head.quads, *fields], lambda: _at_risk(head, fields)
-        )
-        return cls(Distances(*distances), allowance)
+        *distances, allowance = _tables(head)
+        return cls(Distances(*distances), allowance, np.empty(len(allowance), np.uint32))
 
     def relieve(self, displacement: Array) -> None:
         """Change `displacement` (N0, 3) mm in place until no distance is too short."""
         distances = self.distances
-        relieve(distances.points, distances.foot, distances.way, self.allowance, SWEEPS, displacement)
+        tables = distances.points, distances.foot, distances.way, self.allowance
+        relieve(*tables, SWEEPS, self.close, displacement)
+
+
+@lru_cache(maxsize=4)
+def _tables(head: Head) -> tuple[AnyArray, ...]:
+    fields = _fields(head)
+    return cached_arrays("crowding", [head.rest, head.quads, *fields], lambda: _at_risk(head, fields))
 
 
 def _at_risk(head: Head, fields: list[Array]) -> tuple[Array, ...]:
@@ -162,28 +170,38 @@ def _shortened(distances: Distances, fields: list[Array]) -> list[Array]:
 
 
 def _fields(head: Head) -> list[Array]:
-    """Return the displacement (N0, 3) of every muscle at 1, of both sides together."""
-    whole_fields: dict[str, Array] = {}
-    for p in PARAMETERS:
-        if p.name in head.fields and p.base not in ELSEWHERE:
-            whole = whole_fields.setdefault(p.base, np.zeros_like(head.rest))
-            whole[head.fields[p.name].vertices] += head.fields[p.name].displacement
+    """Return the displacement (N0, 3) of every muscle and of every joint field at 1, both sides together."""
+    whole_fields: dict[int, Array] = {}
+    for row in fields_of(head):
+        whole = whole_fields.setdefault(row.muscle, np.zeros_like(head.rest))
+        whole[row.field.vertices] += row.field.displacement
     return list(whole_fields.values())
 
 
 @kernel
 def relieve(
-    points: Int32Array, foot: Array, way: Array, allowance: Array, sweeps: int, displacement: Array
+    points: Int32Array,
+    foot: Array,
+    way: Array,
+    allowance: Array,
+    sweeps: int,
+    close: UInt32Array,
+    displacement: Array,
 ) -> None:
     """Push points apart whose distance shortens by more than `allowance` (d,) mm along `way` (d, 3).
 
-    The tables are those of `Distances`.
+    The tables are those of `Distances`; `close` (d,) is scratch.
 
-    `displacement` (n, 3) mm is changed in place, in at most `sweeps` sweeps.
+    `displacement` (n, 3) mm is changed in place, in at most `sweeps` sweeps. Every `ALL` sweeps all distances
+    are looked at, between them those that were then within `CLOSE` of their allowance.
     """
-    for _ in range(sweeps):
+    count = 0
+    for sweep in range(sweeps):
+        every = sweep % ALL == 0
+        looked, count = (len(points), 0) if every else (count, count)
         moved = False
-        for k in range(len(points)):
+        for j in range(looked):
+            k = j if every else int(close[j])
             first, second, third = points[k, 0], points[k, 1], points[k, 2]
             far = foot[k]
             near = 1.0 - far
@@ -191,6 +209,9 @@ def relieve(
             for c in range(3):
                 other = near * displacement[second, c] + far * displacement[third, c]
                 excess += (displacement[first, c] - other) * way[k, c]
+            if every and excess > -CLOSE:
+                close[count] = k
+                count += 1
             if excess > 0.0:
                 moved = True
                 push = excess / (1.0 + near * near + far * far)
@@ -198,5 +219,5 @@ def relieve(
                     displacement[first, c] -= push * way[k, c]
                     displacement[second, c] += near * push * way[k, c]
                     displacement[third, c] += far * push * way[k, c]
-        if not moved:
+        if every and not moved:
             break

@@ -28,4 +28,6 @@ def uncrowd(quads: IntArray, rest: Array, below: float, axis: Array, angle: Arra
     length = np.linalg.norm(vector, axis=1)
     way = turned(vector / length[:, None], axis, angle[edges].mean(axis=1))
     points = edges[:, [0, 1, 1]].astype(np.int32, "C")
-    relieve(points, np.zeros(len(points)), way, -LEAST * length, SWEEPS, opened)
+    relieve(
+        points, np.zeros(len(points)), way, -LEAST * length, SWEEPS, np.empty(len(points), np.uint32), opened
+    )
