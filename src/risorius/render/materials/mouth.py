@@ -32,6 +32,7 @@ GLOSS = f4(0.03)
 _DEPTH = f4(1 / 30)  # 1/mm: cheeks and palate absorb half of the light
 _GLOW = f4(0.19)  # share of light that lips and cheeks let through to the flesh behind them
 WARM = f4(0.95), f4(0.76), f4(0.70)  # of the light that flesh in the mouth has reflected before
+IN_FLESH = f4(0.24), f4(0.11), f4(0.10)  # of a tooth's light: as dark as the lining behind it
 AROUND = f4(2.0), f4(1.75), f4(1.6)  # light from all sides of the mouth has its lining's colour
 _NEAR, _FAR = f4(6), f4(42)  # mm behind the lips; the lamps' light lessens between them
 FAUCES = f4(35)  # mm behind the lips; the lining is drawn further back, but a mouth is not deeper
@@ -214,18 +215,23 @@ def _wet(
 def spread_in_teeth(deep: float) -> float:
     """Return the share of light from a tooth where the share `deep` arrives.
 
-    Light that enters a tooth comes out of it and its neighbours again.
+    Light that enters a tooth comes out of it and its neighbours again. What arrives deep in the mouth is the
+    flesh's own light, which reaches teeth as it reaches their surroundings: they are not black there.
     """
     root = math.sqrt(deep)
     spread = min(root * (f4(0.8) + f4(0.7) * root), f4(1.15))
-    return spread * smooth(f4(0), f4(0.12), deep)
+    return _GLOW + (spread - _GLOW) * smooth(f4(0), f4(0.12), deep)
 
 
 @fast_device
 def reddened(deep: float) -> Vec:
-    """Return what a tooth's albedo becomes: the redder the more of the light has met flesh before."""
+    """Return what a tooth's albedo becomes: the redder the more of the light has met flesh before.
+
+    Where no light comes past the lips a tooth is as dark as flesh: all its light has met flesh often.
+    """
     pale = min(f4(0.2) + deep, f4(1))
-    return mix((f4(1), f4(0.72), f4(0.62)), (f4(1), f4(1), f4(1)), pale)
+    red = mix((f4(1), f4(0.72), f4(0.62)), (f4(1), f4(1), f4(1)), pale)
+    return times(red, mix(IN_FLESH, (f4(1), f4(1), f4(1)), smooth(_GLOW, f4(2.5) * _GLOW, deep)))
 
 
 @fast_device
