@@ -14,6 +14,8 @@ from risorius.face.head import load_head, shipped_heads
 from risorius.face.solve import FaceSolver
 from risorius.looks.anatomy import find_anatomy
 from risorius.looks.garment import neckline
+from risorius.looks.head_model import head_model
+from risorius.looks.riding import RidingHairs
 from risorius.ports.face_packer import FRAMES, PARTS, POSE, STEP
 from risorius.ports.head_folds import SLOTS, HeadFolds
 from risorius.ports.head_glb import head_glb
@@ -94,15 +96,12 @@ def test_wrinkles_of_all_heads_have_a_slot_each(name):
     assert HeadFolds(load_head(name)).left_out <= 4
 
 
-def test_brows_and_lashes_go_along_with_the_skin(stage, faces):
+def test_brows_and_lashes_turn_with_the_skin_as_the_library_says(stage, faces):
     _, _, positions = unpacked(stage, stage.packed(FRAMES, 1, 0, faces[:1]))
     parts = {part.name: part for part in stage.described().parts}
-    for name in ("brows", "lashes"):
-        part, piece = parts[name], stage.head_parts[name]
-        there = positions[0][part.first : part.first + part.count]
-        own = faces[0].skin.astype(np.float64) - stage.head_parts["skin"].points
-        moved = np.einsum("vk,vkc->vc", piece.weights, own[piece.roots])
-        assert np.abs(there - piece.points - moved).max() <= 0.51 * STEP
+    for name, points in RidingHairs(head_model(stage.head)).points(faces[0].skin).items():
+        part = parts[name]
+        assert np.abs(positions[0][part.first : part.first + part.count] - points).max() <= 0.51 * STEP
 
 
 def test_the_head_s_file_has_the_vertices_of_the_frames(stage):

@@ -12,7 +12,7 @@ from .surface import Surface, unit
 
 POINTS = 5
 _SEED = 11
-_LINE = 0.9  # mm from the upper margin to where the shade of the lashes' roots has faded by two thirds
+_LINE = 1.1  # mm from the upper margin to where the shade of the lashes' roots has faded by two thirds
 
 
 def lash_shade(head: Head, points: Array) -> Array:
@@ -24,7 +24,7 @@ def lash_shade(head: Head, points: Array) -> Array:
 
 
 def grow_lashes(
-    head: Head, surface: Surface, colour: Array, skin: Array, upper: int = 76, lower: int = 40
+    head: Head, surface: Surface, colour: Array, skin: Array, upper: int = 130, lower: int = 40
 ) -> Strands:
     """Return `upper` and `lower` lashes of linear albedo `colour` (3,) for each eye, over that of `skin`."""
     groups, faint = [], colour + 0.5 * (skin - colour)  # lower lashes are finer than a pixel

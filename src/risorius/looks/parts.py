@@ -35,7 +35,7 @@ from .lashes import lash_shade
 from .normals import Normals, triangles_as_faces
 from .scalp import scalp_shade
 from .srgb import linear
-from .strands import Strands, root_frames
+from .strands import Strands, flat_ribbons
 from .surface import Surface
 from .tongue_paint import tongue_colours
 
@@ -95,7 +95,7 @@ def skin_part(
     under = attributes[:, ALBEDO : ALBEDO + 3]
     for shade, colour in (
         (0.66 * brow_shade(anatomy), brows),
-        (0.6 * lash_shade(head, anatomy.skin), 0.35 * hair),
+        (0.8 * lash_shade(head, anatomy.skin), 0.35 * hair),
         (scalp_shade(anatomy, looks.hair_style), hair),
     ):
         under += shade[:, None].astype(np.float32) * (1.3 * colour.astype(np.float32) - under)
@@ -143,19 +143,11 @@ def tongue_part(head: Head) -> Part:
 
 def hair_part(name: str, hairs: Strands, skin: Surface) -> Part:
     """Return hairs as ribbons that lie flat on the skin."""
-    frames = root_frames(skin.points, skin.normals, hairs.roots, hairs.weights)
-    origin = np.einsum("sk,skc->sc", hairs.weights, skin.points[hairs.roots])
-    line = origin[:, None] + np.einsum("spf,sfc->spc", hairs.curves, frames)
-    ahead = np.gradient(line, axis=1)
-    across = np.cross(ahead, frames[:, None, 2])
-    across /= np.maximum(np.linalg.norm(across, axis=2, keepdims=True), 1e-9)
-    half = 0.5 * hairs.widths[:, :, None] * across
-    ribbon = np.stack([line - half, line + half], axis=2)
-    vertices_per_hair = ribbon.shape[1] * 2
+    vertices_per_hair = 2 * hairs.widths.shape[1]
     triangles, attributes = hairs.triangles(), hair_attributes(hairs)
     return Part(
         name,
-        ribbon.reshape(-1, 3),
+        flat_ribbons(hairs, skin.points, skin.normals),
         triangles_as_faces(triangles),
         triangles,
         attributes,

@@ -85,3 +85,20 @@ def root_frames(
     edge -= np.einsum("sc,sc->s", edge, normal)[:, None] * normal
     edge /= np.linalg.norm(edge, axis=1, keepdims=True)
     return np.stack([edge, np.cross(normal, edge), normal], axis=1)
+
+
+def flat_ribbons(strands: Strands, positions: FloatArray, normals: FloatArray) -> Array:
+    """Return the vertices (2 S P, 3) of ribbons that lie flat on the skin with these points and normals.
+
+    Those of a hair follow one another from root to tip, the left edge before the right.
+    """
+    frames = root_frames(positions, normals, strands.roots, strands.weights)
+    origin = np.einsum("sk,skc->sc", strands.weights, positions[strands.roots])
+    line = origin[:, None] + strands.curves @ frames
+    ahead = np.empty_like(line)
+    ahead[:, 1:-1] = line[:, 2:] - line[:, :-2]
+    ahead[:, 0], ahead[:, -1] = line[:, 1] - line[:, 0], line[:, -1] - line[:, -2]
+    across = np.cross(ahead, frames[:, None, 2])
+    across /= np.maximum(np.linalg.norm(across, axis=2, keepdims=True), 1e-9)
+    half = 0.5 * strands.widths[:, :, None] * across
+    return np.stack([line - half, line + half], axis=2).reshape(-1, 3)

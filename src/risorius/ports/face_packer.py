@@ -23,8 +23,8 @@ from ..looks.eyeball import pupil_axes
 from ..looks.head_model import FACIAL_HAIRS, head_model
 from ..looks.parts import Part
 from ..looks.perfusion import gained_by_lips
+from ..looks.riding import RidingHairs
 from ..looks.srgb import linear
-from .glb_scene import riding
 from .gltf import quaternions
 from .head_folds import HeadFolds
 from .head_shade import blood, light
@@ -44,11 +44,12 @@ class FacePacker:
 
     def __init__(self, head: Head) -> None:
         self.head = head
-        self.head_parts: dict[str, Part] = head_model(head).parts()
+        model = head_model(head)
+        self.head_parts: dict[str, Part] = model.parts()
+        self._hairs = RidingHairs(model)
         points = np.concatenate([self.head_parts[name].points for name in PARTS])
         self.vertices = len(points)
         self.origin = np.round(0.5 * (points.min(axis=0) + points.max(axis=0)))
-        self._rest = self.head_parts["skin"].points
         self.parts = tuple(self._parts())
         self.folds = HeadFolds(head)
 
@@ -99,9 +100,7 @@ class FacePacker:
     def positions(self, face: FaceFrame) -> Int16Array:
         """Return the points of a face in steps from the origin, shape (vertices, 3)."""
         skin = face.skin.astype(np.float64)
-        hairs = riding(self.head_parts, skin - self._rest)
-        grown = [self.head_parts[name].points + move for name, move in hairs.items()]
-        points = np.concatenate([skin, face.tongue, face.teeth_lower, *grown])
+        points = np.concatenate([skin, face.tongue, face.teeth_lower, *self._hairs.points(skin).values()])
         return np.asarray(np.round((points - self.origin) / STEP).clip(-32768, 32767), "<i2")
 
 

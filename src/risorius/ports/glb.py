@@ -22,15 +22,16 @@ from ..face.head import Head
 from ..face.shapes import ArkitShapes, arkit_shapes
 from ..looks.head_model import FACIAL_HAIRS, head_model
 from ..looks.parts import Part
+from ..looks.riding import RidingHairs
 from .basis import ClipBasis
 from .formats import register
-from .glb_scene import GlbScene, riding
+from .glb_scene import GlbScene
 from .gltf import Animation, Gltf, quaternions
 from .writable import WritableTake, WriteOptions
 
 GENERATOR = "Risorius"
 _SMALL = 1e-3  # mm: displacements below it are none
-_MOVED = ("skin", "tongue", "teeth_lower")
+_MOVED = ("skin", "tongue", "teeth_lower", *FACIAL_HAIRS)
 
 
 def write_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
@@ -40,17 +41,19 @@ def write_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
     if len(take.performance.values) <= 2 and take.audio is None:
         still(head, parts, next(take.faces(progress=options.progress)), _asset(options)).save(path)
         return
+    hairs = RidingHairs(head_model(head))
     rest = np.concatenate([parts[name].points for name in _MOVED])
     basis, turns = ClipBasis(rest), Turns()
     for frame in take.faces(progress=options.progress):
-        basis.show(np.concatenate([frame.skin, frame.tongue, frame.teeth_lower]))
+        grown = hairs.points(frame.skin.astype(np.float64)).values()
+        basis.show(np.concatenate([frame.skin, frame.tongue, frame.teeth_lower, *grown]))
         turns.append(frame)
     shapes, weights = basis.finish()
     rms, worst = basis.residual
     gltf = Gltf(**_asset(options, residual_rms_mm=round(rms, 4), residual_worst_mm=round(worst, 4)))
     cuts = np.cumsum([len(parts[name].points) for name in _MOVED])[:-1]
     moving = {
-        f"clip_{number:02d}": _moves(parts, dict(zip(_MOVED, np.split(shape, cuts), strict=True)))
+        f"clip_{number:02d}": _large(dict(zip(_MOVED, np.split(shape, cuts), strict=True)))
         for number, shape in enumerate(shapes)
     }
     scene = GlbScene(head, gltf, parts, moving)
@@ -74,8 +77,9 @@ def write_rig_glb(take: WritableTake, path: Path, options: WriteOptions) -> None
 
 def rig_scene(head: Head, gltf: Gltf) -> GlbScene:
     """Build the head at rest with its 52 shapes as morph targets; raise HeadError where it has none."""
-    parts, shapes = head_model(head).parts(), arkit_shapes(head)
-    moving = {name: _moves(parts, _shape(shapes, index)) for index, name in enumerate(SHAPES)}
+    model, shapes = head_model(head), arkit_shapes(head)
+    parts, hairs = model.parts(), RidingHairs(model)
+    moving = {name: _moves(hairs, _shape(shapes, index)) for index, name in enumerate(SHAPES)}
     for moves in moving.values():
         moves.setdefault("skin", np.zeros_like(parts["skin"].points))
     scene = GlbScene(head, gltf, parts, moving)
@@ -88,9 +92,9 @@ def still(head: Head, parts: Mapping[str, Part], frame: FaceFrame, asset: Mappin
     skin = frame.skin.astype(np.float64)
     posed = {"skin": skin, "tongue": frame.tongue.astype(np.float64)}
     posed["teeth_lower"] = frame.teeth_lower.astype(np.float64)
-    moved = riding(parts, skin - parts["skin"].points)
+    posed |= RidingHairs(head_model(head)).points(skin)
     gltf = Gltf(**asset)
-    scene = GlbScene(head, gltf, parts, posed=posed | {n: parts[n].points + moved[n] for n in FACIAL_HAIRS})
+    scene = GlbScene(head, gltf, parts, posed=posed)
     scene.build()
     turns = Turns()
     turns.append(frame)
@@ -129,10 +133,13 @@ def animate(scene: GlbScene, times: Array, weights: Mapping[str, Array], turns: 
     animation.finish()
 
 
-def _moves(parts: Mapping[str, Part], moved: Mapping[str, Array]) -> dict[str, Array]:
+def _moves(hairs: RidingHairs, moved: Mapping[str, Array]) -> dict[str, Array]:
     """Return displacements by part: those given, and of the hairs on the skin; none for what stays."""
-    everything = {**moved, **riding(parts, moved["skin"])}
-    return {name: move for name, move in everything.items() if np.abs(move).max() > _SMALL}
+    return _large({**moved, **hairs.moves(moved["skin"])})
+
+
+def _large(moves: Mapping[str, Array]) -> dict[str, Array]:
+    return {name: move for name, move in moves.items() if np.abs(move).max() > _SMALL}
 
 
 def _shape(shapes: ArkitShapes, index: int) -> dict[str, Array]:

@@ -12,7 +12,6 @@ from ..core.arrays import Array, ByteArray, IntArray
 from ..face.head import Head
 from ..looks.attributes import HAIR, OCCLUSION, SPECULAR
 from ..looks.eyeball import pupil_axes
-from ..looks.head_model import FACIAL_HAIRS
 from ..looks.parts import Part
 from .glb_paint import GlbPaint
 from .gltf import INDICES, VERTICES, Gltf
@@ -158,17 +157,6 @@ class GlbScene:
         sampler = {"magFilter": _LINEAR, "minFilter": smaller, "wrapS": _EDGE, "wrapT": _EDGE}
         source, sampling = gltf.add("images", image), gltf.add("samplers", sampler)
         return {"index": gltf.add("textures", {"source": source, "sampler": sampling})}
-
-
-def riding(parts: Mapping[str, Part], skin: Array) -> dict[str, Array]:
-    """Return how hairs rooted in the skin go along with its displacement (n, 3), by part."""
-    moves = {}
-    for name in FACIAL_HAIRS:
-        roots, weights = parts[name].roots, parts[name].weights
-        assert roots is not None
-        assert weights is not None
-        moves[name] = np.einsum("vk,vkc->vc", weights, skin[roots])
-    return moves
 
 
 def normals(points: Array, triangles: IntArray) -> Array:

@@ -15,11 +15,11 @@ import numpy as np
 from ..core.arrays import Array
 from ..face.frame import FaceFrame
 from ..face.head import Head
-from ..looks.head_model import FACIAL_HAIRS, head_model
+from ..looks.head_model import head_model
 from ..looks.parts import Part
+from ..looks.riding import RidingHairs
 from ..looks.srgb import srgb_encode
 from .formats import register
-from .glb_scene import riding
 from .png import frame_at
 from .table import write_lines
 from .writable import WritableTake, WriteOptions
@@ -41,8 +41,7 @@ def placed(head: Head, parts: Mapping[str, Part], frame: FaceFrame) -> dict[str,
     points = {name: part.points for name, part in parts.items()}
     points |= {"skin": skin, "tongue": frame.tongue.astype(np.float64)}
     points["teeth_lower"] = frame.teeth_lower.astype(np.float64)
-    moved = riding(parts, skin - parts["skin"].points)
-    points |= {name: parts[name].points + moved[name] for name in FACIAL_HAIRS}
+    points |= RidingHairs(head_model(head)).points(skin)
     for name, centre, turn in zip(_EYES, head.eye_centre, frame.eye_rotation, strict=True):
         points[name] = (points[name] - centre) @ turn.T + centre
     share = np.asarray(head.skin.matrix @ head.neck_weight)[:, None]

@@ -245,7 +245,7 @@ def test_strands_are_left_out_where_the_head_or_other_hair_hides_them(page: Page
 
 def test_strands_know_where_they_run_and_their_breadth(page: Page) -> None:
     """By both they turn their breadth to who looks: seen from the side, hair was full of holes."""
-    along, across = page.run("""
+    along, breadth, points = page.run("""
       const THREE = await import("/web/vendor/three/three.module.min.js");
       const { asStrands } = await import("/web/stage/strands.js");
       // Two strands of three pairs, 2 wide: one runs up, then to the left, the other to the front.
@@ -257,13 +257,30 @@ def test_strands_know_where_they_run_and_their_breadth(page: Page) -> None:
       const geometry = new THREE.BufferGeometry().setIndex(triangles);
       geometry.setAttribute("position", points);
       asStrands(new THREE.Mesh(geometry));
-      return ["along", "across"].map((name) => [...geometry.attributes[name].array]);
+      return ["along", "breadth", "position"].map((name) => [...geometry.attributes[name].array]);
     """)
     up, left, front = [0, 1, 0], [-1, 0, 0], [0, 0, 1]
     assert along == [*up * 2, *left * 4, *front * 6]
     # The first of both is never left out, the other where the thinnest hairs are wider than 1 / .618 of it.
-    first, other = ([[-1, 0, 0, least], [1, 0, 0, least]] for least in (1e6, 1 / 0.6180339887))
-    assert np.reshape(across, (12, 4)) == pytest.approx(np.array(first * 3 + other * 3))
+    first, other = ([1, least] for least in (1e6, 1 / 0.6180339887))
+    assert np.reshape(breadth, (12, 2)) == pytest.approx(np.array([first] * 6 + [other] * 6))
+    assert points[:18] == [*[0, 0, 0] * 2, *[0, 5, 0] * 2, *[-3, 5, 0] * 2]
+
+
+def test_the_skin_in_motion_has_its_vertices_where_lashes_darken_it(page: Page) -> None:
+    """With fewer, their shade was drawn as dark spikes on the lids."""
+    found = page.run("""
+      const THREE = await import("/web/vendor/three/three.module.min.js");
+      const { lighterOf } = await import("/web/stage/detail.js");
+      const geometry = new THREE.PlaneGeometry(20, 20, 20, 20);
+      const index = new THREE.BufferAttribute(Uint32Array.from(geometry.index.array), 1);
+      const skin = new THREE.Mesh(geometry.setIndex(index), new THREE.MeshBasicMaterial());
+      const spots = { eyes: [[0, 0, -15]], edges: [[0, 0, 0]], mouth: [0, -80, 0] };
+      return [...lighterOf("skin", skin, spots).mesh.geometry.attributes.position.array];
+    """)
+    near = [np.hypot(x, y) < 2.5 for x, y in np.reshape(found, (-1, 3))[:, :2]]
+    assert sum(near) == 21
+    assert len(near) < 300
 
 
 def test_a_head_that_is_held_does_not_come_to_rest(page: Page) -> None:

@@ -70,7 +70,7 @@
  * The stage:
  * @typedef {(x: number, y: number, width: number, height: number) => void} Cut confines what is cleared
  * @typedef {{order: number[], index: Uint32Array}} Few some of a mesh's vertices, and the triangles between these
- * @typedef {{eyes: number[][], mouth: number[]}} Spots where the skin is fine, mm
+ * @typedef {{eyes: number[][], edges: number[][], mouth: number[]}} Spots where the skin is fine, mm
  * @typedef {import("three").Mesh<import("three").BufferGeometry, import("three").Material>} Mesh
  * @typedef {Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Uint32Array<ArrayBuffer> | Float32Array<ArrayBuffer>} Numbers
  * @typedef {{array: Numbers, width: number, normalized: boolean}} Attribute of a mesh's vertices, as the file has it

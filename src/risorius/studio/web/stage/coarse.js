@@ -9,7 +9,7 @@ import { swept } from "./sweep.js";
  * Vertices gather round some of them, along the mesh's edges; triangles that join three such groups are left,
  * between the vertices in their midst. Vertices at the mesh's borders stay.
  * @param {ArrayLike<number>} points x, y, z, x, … @param {Uint32Array} index (3m,)
- * @param {(x: number, y: number, z: number) => number} reach how far a vertex gathers others, in points' units
+ * @param {(x: number, y: number, z: number) => number} reach how far a vertex gathers others, and is gathered, in points' units
  * @returns {{order: number[], index: Uint32Array}} the vertices that are kept, and the triangles between these
  */
 export function coarser(points, index, reach) {
@@ -56,26 +56,24 @@ function edgesOf(index, points) {
  */
 function headsOf(points, { starts, ends, lengths, border }, reach) {
   const heads = Uint32Array.from(border, (_, vertex) => vertex);
+  const own = Float32Array.from(border, (_, v) => reach(points[3 * v], points[3 * v + 1], points[3 * v + 2]));
   const far = new Float32Array(border.length).fill(Infinity);
-  /** @param {number} from @param {number} most */
-  const spread = (from, most) => {
+  /** @param {number} from */
+  const spread = (from) => {
     const waiting = [from];
     far[from] = 0;
     heads[from] = from;
     for (let v = waiting.pop(); v !== undefined; v = waiting.pop()) {
       for (let k = starts[v]; k < starts[v + 1]; k++) {
         const [other, there] = [ends[k], far[v] + lengths[k]];
-        if (there >= far[other] || there > most || border[other]) continue;
+        if (there >= far[other] || there > Math.min(own[from], own[other]) || border[other]) continue;
         [far[other], heads[other]] = [there, heads[v]];
         waiting.push(other);
       }
     }
   };
   border.forEach((stays, vertex) => stays && (far[vertex] = 0));
-  for (let v = 0; v < border.length; v++) {
-    const [x, y, z] = [points[3 * v], points[3 * v + 1], points[3 * v + 2]];
-    if (far[v] === Infinity) spread(v, reach(x, y, z));
-  }
+  for (let v = 0; v < border.length; v++) if (far[v] === Infinity) spread(v);
   return heads;
 }
 

@@ -3,18 +3,19 @@
 import * as THREE from "../vendor/three/three.module.min.js";
 import { coarser } from "./coarse.js";
 import { computeNormals } from "./normals.js";
-import { fewer, widen } from "./strands.js";
+import { fewer } from "./strands.js";
 /** @import {Few, Mesh, Spots} from "../types.js" */
 
 /** @typedef {(points: Float32Array, index: Uint32Array, spots: Spots) => Few} Lighten */
 
 // mm within which the skin's vertices gather: fine round eyes and mouth, coarser by SLOPE from NEAR on.
 const [LEAST, MOST, NEAR, SLOPE] = [1.7, 9, 10, 0.38];
+const AROUND = 25; // mm from the midst of an eye within which they are
 const SUNK = 0.982; // how large the eyeballs are: lids of few triangles do not quite cover them when shut
 const GATHERED = 1.5; // mm, in the mouth
 const [EYES, SMALL] = [["eye_left", "eye_right"], ["teeth_upper", "teeth_lower", "tongue"]];
 const ROUND = 1.6; // mm, on the eyeballs
-const [LID, EDGE] = [15.3, 0.8]; // mm from an eye's centre up to which lids have their edges, and are finer still
+const [BESIDE, EDGE] = [2.6, 0.5]; // mm from the vertices of lids' margins, which lashes darken, up to which skin is finer still
 // The share of its strands that is drawn of hair, and how much wider they are: thinner than a pixel they glitter.
 /** @type {Record<string, {share: number, wide: number}>} */
 const STRANDS = {
@@ -83,8 +84,7 @@ export class Lighter {
     for (let k = 0, to = 0; k < this.#order.length; k++) {
       for (let from = itemSize * this.#order[k], end = from + itemSize; from < end; ) own[to++] = array[from++];
     }
-    if (name === "position" && this.#wide > 1) widen(own, this.#wide);
-    if (name === "across") for (let k = 0; k < own.length; k++) own[k] *= this.#wide;
+    if (name === "breadth") for (let k = 0; k < own.length; k++) own[k] *= this.#wide;
     attributes[name].needsUpdate = true;
   }
 }
@@ -102,13 +102,12 @@ function gathering(names, reach) {
 }
 
 /** @param {Spots} spots @returns {(x: number, y: number, z: number) => number} */
-function reachFrom({ eyes, mouth }) {
+function reachFrom({ eyes, edges, mouth }) {
   return (x, y, z) => {
     /** @param {number[]} place */
     const away = ([a, b, c]) => Math.hypot(x - a, y - b, z - c);
-    const eye = Math.min(...eyes.map(away));
-    if (eye < LID) return EDGE;
-    const near = Math.min(eye, away(mouth));
+    const near = Math.min(...eyes.map(away), away(mouth));
+    if (near < AROUND && edges.some((edge) => away(edge) < BESIDE)) return EDGE;
     return Math.min(Math.max(SLOPE * (near - NEAR), LEAST), MOST);
   };
 }

@@ -19,7 +19,7 @@ import { mouthMaterial } from "./mouth.js";
 import { lightingUniforms } from "./shading.js";
 import { KeyShadow } from "./shadow.js";
 import { groupTriangles, skinMaterials } from "./skin.js";
-import { Order, asStrands } from "./strands.js";
+import { Order, asStrands, follow } from "./strands.js";
 /** @import {FileMesh, HeadData, HeadFile, Mesh} from "../types.js" */
 /** @import {StagePart, StageTable} from "../wire.js" */
 
@@ -254,6 +254,7 @@ export class Figure {
       this.#blood.flow(points, /** @type {Float32Array} */ (this.#meshes.skin.geometry.attributes.gained.array));
       this.#bendNeck(points);
     }
+    if (HAIRS.includes(name)) follow(this.#meshes[name].geometry);
     this.#stale.add(name);
   }
 
@@ -284,7 +285,7 @@ export class Figure {
     const { geometry } = this.#meshes[name];
     this.#shaded &&= name !== "skin";
     const lighter = this.#fine ? null : this.#lighter[name];
-    for (const moving of name === "skin" ? ["position", "gained"] : ["position"]) {
+    for (const moving of MOVING[name] ?? ["position"]) {
       lighter?.take(moving);
       geometry.attributes[moving].needsUpdate = !lighter;
     }
@@ -323,7 +324,13 @@ export class Figure {
     teeth.computeBoundingBox();
     const { min, max } = /** @type {THREE.Box3} */ (teeth.boundingBox);
     const mouth = new THREE.Vector3(0, (min.y + max.y) / 2, max.z).add(this.pivot);
-    const spots = { eyes: this.#packing.eyes.map(({ centre }) => centre), mouth: mouth.toArray() };
+    const { eyes } = this.#packing;
+    const edges = eyes.flatMap(({ lids }) => lids.flat());
+    const spots = {
+      eyes: eyes.map(({ centre }) => centre),
+      edges: edges.map((vertex) => [...this.#points.subarray(3 * vertex, 3 * vertex + 3)]),
+      mouth: mouth.toArray(),
+    };
     const cover = new Cover(turningPoints(this.#points, this.#neck, this.pivot), this.#meshes.hair ? pointsOf(this.#meshes.hair) : []);
     for (const [name, mesh] of Object.entries(this.#meshes)) {
       const lighter = lighterOf(name, mesh, spots);
@@ -358,6 +365,8 @@ function turningPoints(points, shares, { x, y, z }) {
   return Float32Array.from(turning);
 }
 
+/** What changes of meshes with their points. @type {Record<string, string[]>} */
+const MOVING = { skin: ["position", "gained"], ...Object.fromEntries(HAIRS.map((name) => [name, ["position", "along"]])) };
 const [SIGHT, INVERSE] = [new THREE.Vector3(), new THREE.Matrix4()];
 const TARGET = new THREE.Quaternion();
 const TURNED = new THREE.Matrix4();

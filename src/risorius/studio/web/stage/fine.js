@@ -13,6 +13,7 @@ const MOST = 20_000; // triangles to a part
 /**
  * @typedef {{figure: import("./figure.js").Figure, x: number, width: number, paint: (cut: Cut) => void}} Place
  * @typedef {{width: number, height: number, camera: THREE.Camera, places: Place[]}} Seen pixels; who stands where
+ * @typedef {{meshes: Mesh[], start: number}} Batch meshes that are drawn at once, from this place of their index on
  */
 
 export class Fine {
@@ -71,23 +72,18 @@ export class Fine {
       cut(x, 0, width, height);
       this.#renderer.clear(false, true, true);
     });
-    for (const mesh of figure.whole) {
-      const { count } = /** @type {THREE.BufferAttribute} */ (mesh.geometry.index);
-      for (let start = 0; start < count; start += 3 * MOST) {
-        yield within(() => this.#draw(figure, mesh, start, camera));
-      }
-    }
+    for (const batch of batches(figure.whole)) yield within(() => this.#draw(figure, batch, camera));
   }
 
-  /** @param {Figure} figure @param {Mesh} mesh @param {number} start @param {THREE.Camera} camera */
-  #draw(figure, mesh, start, camera) {
+  /** @param {Figure} figure @param {Batch} batch @param {THREE.Camera} camera */
+  #draw(figure, { meshes, start }, camera) {
     const others = this.#scene.children.filter((child) => "isGroup" in child && child !== figure.group);
-    const hidden = [...others, ...figure.whole.filter((one) => one !== mesh)];
+    const hidden = [...others, ...figure.whole.filter((one) => !meshes.includes(one))];
     for (const one of hidden) one.visible = false;
     figure.group.visible = true;
-    mesh.geometry.setDrawRange(start, 3 * MOST);
+    for (const { geometry } of meshes) geometry.setDrawRange(start, 3 * MOST);
     this.#renderer.render(this.#scene, camera);
-    mesh.geometry.setDrawRange(0, Infinity);
+    for (const { geometry } of meshes) geometry.setDrawRange(0, Infinity);
     for (const one of hidden) one.visible = true;
   }
 
@@ -115,4 +111,18 @@ function upright(pixels, width, height) {
     picture.data.set(pixels.subarray(4 * width * y, 4 * width * (y + 1)), 4 * width * (height - 1 - y));
   }
   return picture;
+}
+
+/** Small meshes together, since each part is waited for, and pieces of large ones. @param {Mesh[]} meshes @returns {Batch[]} */
+function batches(meshes) {
+  /** @type {Batch[]} */
+  const found = [];
+  let room = 0;
+  for (const mesh of meshes) {
+    const { count } = /** @type {THREE.BufferAttribute} */ (mesh.geometry.index);
+    if (count <= room) found[found.length - 1].meshes.push(mesh);
+    else for (let start = 0; start < count; start += 3 * MOST) found.push({ meshes: [mesh], start });
+    room = count <= room ? room - count : 3 * MOST - count;
+  }
+  return found;
 }

@@ -14,6 +14,7 @@ export const HAIRS = ["brows", "lashes", "hair", "hairline"];
 const LEAST = "0.25"; // pixels: half the breadth of the thinnest hair
 const CARRIED = "varying vec3 grown;\nvarying float aside;\nvarying float soft;\n";
 
+// Many hairs lie over each pixel: few texels of the shadow do for each of them, and one in motion.
 // No hair is drawn thinner than half a pixel, as one of the library's samples, or it would glitter: so many of the thinner ones are left out that the others
 // cover the same (`render/ribbons.py`). Edges are a pixel soft.
 /** @param {StageTable} packing @param {string} key the share of the key lamp */
@@ -22,14 +23,14 @@ const vertex = (packing, key) => `
 ${DEVELOPED}
 ${lighting(packing)}
 ${CARRIED}
-attribute vec4 across; // mm from the midst to here, half of the breadth below which the hair is left out
+attribute vec2 breadth; // mm: half of it, and half of that below which the hair is left out
 attribute vec3 along;
 attribute vec4 shaded; // the share of light that comes between other hairs, the strength of the highlights
 uniform float pixels;
 uniform float millimetres; // to a pixel
 void main() {
-  vec4 midst = modelMatrix * vec4( position - across.xyz, 1.0 );
-  if ( across.w < ${LEAST} * millimetres ) {
+  vec4 midst = modelMatrix * vec4( position, 1.0 );
+  if ( breadth.y < ${LEAST} * millimetres ) {
     gl_Position = vec4( 2.0, 2.0, 2.0, 1.0 );
     return;
   }
@@ -44,7 +45,7 @@ void main() {
   grown = developed( light );
   vec3 seen = ( viewMatrix * midst ).xyz;
   float away = max( - seen.z, 0.001 );
-  soft = max( length( mat3( modelMatrix ) * across.xyz ) * pixels / away, ${LEAST} ) + 0.5;
+  soft = max( breadth.x * pixels / ( ${MM.toFixed(1)} * away ), ${LEAST} ) + 0.5;
   aside = ( gl_VertexID & 1 ) == 0 ? 1.0 : - 1.0;
   vec3 breadth = cross( mat3( viewMatrix ) * fibre, seen );
   seen += breadth * aside * soft * away / ( pixels * max( length( breadth ), 1e-6 ) );
@@ -74,7 +75,7 @@ export function hairMaterial(packing, light) {
     depthWrite: false,
     forceSinglePass: true,
   };
-  const material = new THREE.ShaderMaterial({ ...shared, vertexShader: vertex(packing, "keyShare( place )") });
+  const material = new THREE.ShaderMaterial({ ...shared, vertexShader: vertex(packing, "keyShare( place, 1, 2 )") });
   material.userData.quick = new THREE.ShaderMaterial({ ...shared, vertexShader: vertex(packing, "keyShare( place, 0, 2 )") });
   return material;
 }

@@ -91,7 +91,7 @@ void main() {
   facing = normal;
   lampReach = reach;
   surfaced = surface;
-  within = vec3( worn, keyShare( position ) );
+  within = vec3( worn, keyShare( position, 2, 2 ) ); // every second texel tells whether a shadow's edge is near
   resting = rest;
   ${kind.creased ? `raised = foldHeight * ${packing.folds.step};\n  regions = foldRegion;` : ""}
   ${kind.creased ? each(packing.folds, (slot) => `fold${slot} = foldPlace${slot};`) : ""}

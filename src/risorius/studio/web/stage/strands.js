@@ -51,57 +51,44 @@ function meanLength(points, count, pairs) {
   return sum / Math.max(count, 1);
 }
 
-/** Make ribbons wider. @param {Float32Array} points in pairs @param {number} wide times as wide */
-export function widen(points, wide) {
-  for (let k = 0; k < points.length; k += 6) {
-    for (let axis = k; axis < k + 3; axis++) {
-      const [left, right] = [points[axis], points[axis + 3]];
-      const [middle, half] = [(left + right) / 2, (wide * (right - left)) / 2];
-      [points[axis], points[axis + 3]] = [middle - half, middle + half];
-    }
-  }
-}
-
 /**
- * Have a mesh know of each vertex how far and where the ribbon reaches from its midst, in mm: `across`, and in its last place
- * half of the breadth of the thinnest hairs for which this one is left out (`render/ribbons.py`); and where its strand runs,
- * of unit length: `along`.
+ * Have a mesh know of each vertex how broad its ribbon is: `breadth`, half of it in mm and half of that of the thinnest hairs
+ * for which this one is left out (`render/ribbons.py`); and where its strand runs (`follow`).
  * @param {Mesh} mesh
  */
-export function asStrands(mesh) {
-  const { attributes, index } = /** @type {any} */ (mesh.geometry);
+export function asStrands({ geometry }) {
+  const { attributes, index } = /** @type {any} */ (geometry);
   const { array } = attributes.position;
-  const { pairs } = strandsOf(index.array);
-  const across = new Float32Array((4 * array.length) / 3);
+  const { pairs } = (geometry.userData = strandsOf(index.array));
+  const breadth = new Float32Array((2 * array.length) / 3);
   for (let pair = 0, thinnest = 0; 6 * pair < array.length; pair++) {
-    const [from, to] = [6 * pair, 8 * pair];
-    for (let axis = 0; axis < 3; axis++) {
-      across[to + axis] = (array[from + axis] - array[from + axis + 3]) / 2;
-      across[to + axis + 4] = -across[to + axis];
-    }
-    if (pair % pairs === 0) {
-      const spread = Math.max(((pair / pairs) * GOLDEN) % 1, 1e-6);
-      thinnest = Math.hypot(across[to], across[to + 1], across[to + 2]) / spread;
-    }
-    across[to + 3] = across[to + 7] = thinnest;
+    const half = Math.hypot(...[0, 1, 2].map((axis) => array[6 * pair + axis] - array[6 * pair + axis + 3])) / 2;
+    if (pair % pairs === 0) thinnest = half / Math.max(((pair / pairs) * GOLDEN) % 1, 1e-6);
+    breadth.set([half, thinnest, half, thinnest], 4 * pair);
   }
-  mesh.geometry.setAttribute("across", new THREE.BufferAttribute(across, 4));
-  mesh.geometry.setAttribute("along", new THREE.BufferAttribute(directions(array, pairs), 3));
+  geometry.setAttribute("breadth", new THREE.BufferAttribute(breadth, 2));
+  geometry.setAttribute("along", new THREE.BufferAttribute(new Float32Array(array.length), 3));
+  follow(geometry);
 }
 
 /**
- * Where strands run at each vertex, as the ribbons of the library: on to the next pair, at the tip as before it.
- * @param {Float32Array} points @param {number} pairs of a strand @returns {Float32Array} of unit length
+ * Have both edges of ribbons in their midst, for shaders to part them, and the vertices know where their strands run, of unit
+ * length, as the ribbons of the library: on to the next pair, at the tip as before it.
+ * @param {THREE.BufferGeometry} geometry of strands whose edges have been placed anew
  */
-function directions(points, pairs) {
-  const found = new Float32Array(points.length);
-  for (let pair = 0; 6 * pair < points.length; pair++) {
-    const from = 6 * (pair % pairs === pairs - 1 ? pair - 1 : pair);
-    const way = [0, 1, 2].map((axis) => points[from + 6 + axis] + points[from + 9 + axis] - points[from + axis] - points[from + 3 + axis]);
-    const length = Math.hypot(...way) || 1;
-    for (let k = 0; k < 6; k++) found[6 * pair + k] = way[k % 3] / length;
+export function follow({ attributes, userData }) {
+  const [points, ways] = [attributes.position.array, attributes.along.array];
+  for (let k = 0; k < points.length; k += 6) {
+    for (let axis = k; axis < k + 3; axis++) points[axis] = points[axis + 3] = (points[axis] + points[axis + 3]) / 2;
   }
-  return found;
+  for (let pair = 0, k = 0; k < points.length; pair++, k += 6) {
+    const from = pair % userData.pairs === userData.pairs - 1 ? k - 6 : k;
+    const [x, y, z] = [points[from + 6] - points[from], points[from + 7] - points[from + 1], points[from + 8] - points[from + 2]];
+    const length = Math.sqrt(x * x + y * y + z * z) || 1;
+    ways[k] = ways[k + 3] = x / length;
+    ways[k + 1] = ways[k + 4] = y / length;
+    ways[k + 2] = ways[k + 5] = z / length;
+  }
 }
 
 /** Puts a mesh's strands in order, the farthest first, whenever it is looked at from elsewhere, and leaves out what is hidden. */
