@@ -118,7 +118,7 @@ def _behind_hair(anatomy: Anatomy) -> Array:
     free = np.interp((skin[:, 1] - anatomy.eye_height) / u, *FACE)
     end = hair_ends(anatomy)
     height = smoothstep(end - 12.0 * u, end + 8.0 * u, skin[:, 1])
-    height *= smoothstep(50.0 * u, 32.0 * u, skin[:, 1] - anatomy.eye_height)
+    height *= smoothstep(46.0 * u, 14.0 * u, skin[:, 1] - anatomy.eye_height)
     # On the scalp the roots themselves are seen between hairs.
     height *= 1.0 - 0.5 * _hidden(anatomy, "medium")
     return np.asarray(smoothstep(-2.5, 2.5, angle - free) * height)
