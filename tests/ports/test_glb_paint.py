@@ -6,14 +6,17 @@ import numpy as np
 import pytest
 
 from risorius.core.arrays import Array, ByteArray
+from risorius.core.parameters import NEUTRAL
 from risorius.face.head import Head, load_head
+from risorius.face.solve import FaceSolver
 from risorius.looks.anatomy import find_anatomy
 from risorius.looks.attributes import INNER
 from risorius.looks.garment import neckline
 from risorius.looks.head_model import head_model
 from risorius.looks.parts import Part
 from risorius.looks.srgb import linear, srgb_decode
-from risorius.ports.glb_paint import GlbPaint
+from risorius.ports.glb_paint import GlbPaint, shown
+from risorius.render.software_renderer import SoftwareRenderer
 
 WHITE, BLACK = (250, 250, 250), (12, 12, 12)
 
@@ -37,8 +40,8 @@ def head(request: pytest.FixtureRequest) -> Head:
 def painted(head: Head) -> tuple[GlbPaint, Part, Array]:
     """The skin's paint and part, and its colours as shown (n, 3)."""
     paint, skin = GlbPaint(head), head_model(head).solids["skin"]
-    shown = srgb_decode(looked_up(paint.skin_picture(skin), paint.skin_places()) / 255.0)
-    return paint, skin, paint.colours(skin) * shown
+    factors = srgb_decode(looked_up(paint.skin_picture(skin), paint.skin_places()) / 255.0)
+    return paint, skin, paint.colours(skin) * factors
 
 
 @pytest.mark.parametrize("cloth", [None, WHITE, BLACK])
@@ -48,13 +51,28 @@ def test_bare_skin_keeps_its_colour_and_cloth_has_its_own(
     if cloth is not None:
         looks = replace(head.identity.looks, cloth=cloth)
         head = replace(head, identity=replace(head.identity, looks=looks))
-    paint, skin, shown = painted(head)
+    paint, skin, seen = painted(head)
     depth, lit = neckline(find_anatomy(head)), paint.shade(skin) > 0.999
     bare, worn = lit & (depth < -12.0), lit & (depth > 12.0)
     assert bare.sum() > 5000
     assert worn.sum() > 500
-    assert np.abs(shown[bare] - skin.attributes[bare, :3].clip(0.0, 1.0)).max() < 1e-3
-    assert np.abs(shown[worn] - linear(head.identity.looks.cloth)).max() < 0.01
+    assert np.abs(seen[bare] - shown(skin.attributes[bare, :3])).max() < 1e-3
+    assert np.abs(seen[worn] - shown(linear(head.identity.looks.cloth))).max() < 0.01
+
+
+def test_cheeks_are_no_redder_in_white_light_than_in_our_pictures(head: Head) -> None:
+    """Our film makes light skin paler; engines showed its albedo, as if the face blushed."""
+    _, skin, seen = painted(head)
+    model = head_model(head)
+    renderer = SoftwareRenderer(model, (240, 240))
+    picture = srgb_decode(renderer.render(FaceSolver(head).solve(np.array(NEUTRAL))) / 255.0)
+    x, y, _ = np.abs(skin.points - model.anatomy.nose_tip).T / model.anatomy.unit
+    cheeks = (x > 22.0) & (x < 42.0) & (y < 12.0) & (model.skin.normals[:, 2] > 0.6)
+    place = np.hstack([skin.points[cheeks], np.ones((cheeks.sum(), 1))])
+    across, down, depth = renderer.camera.matrix(240, 240).astype(float) @ place.T
+    ours = picture[(down / depth).astype(int), (across / depth).astype(int)]
+    redder = np.median(seen[cheeks, 0] / seen[cheeks, 1]) / np.median(ours[:, 0] / ours[:, 1])
+    assert 0.8 < redder < 1.1
 
 
 def test_the_neckline_is_a_line_and_cloth_is_matt(head: Head) -> None:

@@ -3,7 +3,8 @@
 Our renderers find for each picture how much light comes past the lips, lids and hair, and where the cloth
 begins. Engines light a glTF by its material alone. So the shade of an open mouth and of hair is in the
 colours of vertices here, that of lids in the eye's picture, and the neckline in two small pictures that are
-looked up by the distance from it.
+looked up by the distance from it. Our film makes light colours paler, too: the file has them as pictures show
+them, or cheeks and nose would be redder in engines.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ from ..looks.srgb import linear, srgb_decode, srgb_encode
 from ..render.lights import STUDIO
 from ..render.materials.mouth import past_open_lips
 from ..render.resting import light_at_rest
+from ..render.tone import film
 
 # The shares of light are those in lips that stand apart as in an open vowel: mm from where they meet.
 _UPPER, _LOWER = 3.0, 9.0
@@ -54,9 +56,9 @@ class GlbPaint:
 
     def colours(self, part: Part) -> Array:
         """Return the linear colours (n, 3) of a part's vertices, 0 to 1, where the skin has its pictures."""
-        colours = part.colours
+        colours = shown(part.colours)
         if part.surface == SKIN:
-            colours = np.clip(part.attributes[:, ALBEDO : ALBEDO + 3].astype(np.float64), 0.0, 1.0)
+            colours = shown(part.attributes[:, ALBEDO : ALBEDO + 3])
             # The pictures cannot lighten: dark skin goes over into light cloth in the colours themselves.
             covered = np.clip(0.5 + self._depth / HEM, 0.0, 1.0)[:, None]
             colours += covered * (self._cloth / self._worn(part) - colours)
@@ -100,11 +102,11 @@ class GlbPaint:
 
     @property
     def _cloth(self) -> Array:
-        return linear(self.head.identity.looks.cloth)
+        return shown(linear(self.head.identity.looks.cloth))
 
     def _worn(self, part: Part) -> Array:
         """Return what the cloth (3,) makes of the skin's colour at the neckline, at most 1."""
-        bare = part.attributes[np.abs(self._depth) < HEM, ALBEDO : ALBEDO + 3].astype(np.float64).mean(axis=0)
+        bare = shown(part.attributes[np.abs(self._depth) < HEM, ALBEDO : ALBEDO + 3]).mean(axis=0)
         return np.asarray(np.clip(self._cloth / bare, 1e-3, 1.0))
 
     def _past_lips(self, points: Array, *, teeth: bool = False) -> Array:
@@ -113,6 +115,13 @@ class GlbPaint:
         slit = front, height + np.float32(_UPPER), height - np.float32(_LOWER)
         past_open_lips(points.astype(np.float32), *slit, teeth, share)
         return np.maximum(share.astype(np.float64), _LEAST)
+
+
+def shown(albedo: FloatArray) -> Array:
+    """Return the colours (…, 3), 0 to 1, in which white light shows what our studio's shows of albedos."""
+    lamps = sum(max(lamp.direction()[2], 0.0) * np.mean(lamp.colour) for lamp in STUDIO.lamps)
+    light = lamps + 0.5 * np.mean(STUDIO.sky) + 0.5 * np.mean(STUDIO.ground)  # on what faces the camera
+    return film(light * np.clip(albedo, 0.0, 1.0)) / float(film(np.asarray(light)))
 
 
 def _columns() -> Array:
