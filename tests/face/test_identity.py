@@ -4,7 +4,7 @@ import pytest
 
 from risorius.errors import HeadError
 from risorius.face.head import load_head, shipped_heads
-from risorius.face.identity import OLD, YOUNG, Looks, read_identity
+from risorius.face.identity import OLD, YOUNG, Identity, Looks, grey_share, read_identity
 
 GOOD = """
 title = "someone"
@@ -94,3 +94,19 @@ def test_the_shipped_ones_differ_in_sex_origin_and_age():
     assert {max(who.origin, key=who.origin.get) for who in known} == {"african", "asian", "caucasian"}
     assert min(who.age for who in known) < 30 < 65 < max(who.age for who in known)
     assert len({who.looks.skin for who in known}) == len(known)
+
+
+def test_hair_goes_grey_with_age_from_the_head_s_own():
+    person = Identity("someone", age=40.0)
+    assert person.at(40.0).looks.grey == 0.0
+    assert person.at(30.0).looks.grey == 0.0
+    shares = [person.at(age).looks.grey for age in (45.0, 55.0, 65.0, 75.0, 90.0)]
+    assert shares == sorted(shares)
+    assert shares[0] < 0.05 < 0.4 < shares[2] < 0.6 < 0.9 < shares[4]
+    # By another age on the way it is the same.
+    assert person.at(60.0).at(80.0).looks.grey == pytest.approx(person.at(80.0).looks.grey)
+
+
+def test_the_share_of_grey_hairs_has_the_mean_of_its_source():
+    ages = [45.0 + year for year in range(21)]
+    assert sum(map(grey_share, ages)) / len(ages) == pytest.approx(0.74 * 0.27, abs=0.04)

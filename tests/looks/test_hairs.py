@@ -5,6 +5,7 @@ from scipy.spatial import cKDTree
 from risorius.face.identity import Looks
 from risorius.looks.attributes import OCCLUSION
 from risorius.looks.brows import brow_shade, grow_brows
+from risorius.looks.greying import greyed, greyed_colour
 from risorius.looks.hair_styles import grow_hair
 from risorius.looks.lashes import grow_lashes, lash_shade
 from risorius.looks.locks import waved
@@ -258,3 +259,16 @@ def test_lower_lashes_are_fainter_than_upper_ones(head, surface):
     assert brightness[faint].min() > 1.5 * brightness[~faint].max()
     widths = lashes.widths.max(axis=1)
     assert widths[faint].max() < widths[~faint].min()
+
+
+def test_of_greying_hair_some_is_grey_before_other(head, surface):
+    hairs = grow_lashes(head, surface, BROWN, SKIN)
+    assert greyed(hairs, 0.0) is hairs
+    few, half, all_ = (greyed(hairs, share).colours.mean(axis=1) for share in (0.1, 0.5, 1.0))
+    before = hairs.colours.mean(axis=1)
+    assert (few == before).mean() > 0.7
+    assert (few > 1.5 * before).any()
+    assert (before <= half).all()
+    assert (half <= all_ + 1e-6).all()
+    assert all_.min() > 0.15
+    assert np.allclose(greyed_colour(BROWN, 0.0), BROWN)

@@ -38,7 +38,7 @@ def apply_look(looks: Looks, look: Look) -> Looks:
     if look.style in _PLAIN:
         matter, hair = _PLAIN[look.style]
         looks = replace(looks, skin=matter, lips=matter, lining=matter, cloth=matter, flush=0.0, beard=0.0)
-        looks = replace(looks, hair=hair, brows=hair, hair_style=look.hair or "bald")
+        looks = replace(looks, hair=hair, brows=hair, grey=0.0, hair_style=look.hair or "bald")
     return looks
 
 

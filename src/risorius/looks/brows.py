@@ -48,7 +48,7 @@ def grow_brows(anatomy: Anatomy, surface: Surface, colour: Array, skin: Array, c
     offset = np.clip(rng.normal(0.0, 0.5, count), -1.05, 1.05)
     # Hairs of the upper edge point down, those of the lower edge up: they meet along the brow's ridge.
     angle = (
-        50 * (1 - t) ** 2.2 + 12 - 34 * t - 24 * offset * smoothstep(0.05, 0.4, t) + rng.normal(0, 6, count)
+        50 * (1 - t) ** 2.2 + 12 - 34 * t - 24 * offset * smoothstep(0.05, 0.4, t) + rng.normal(0, 4, count)
     )
     length = (
         (7.0 + 2.6 * rng.random(count))
@@ -84,7 +84,7 @@ def _side(
         lift = 0.42 * (1 - 1.35 * way)
         curve.append(curve[-1] + step + lift * normal * 0.6)
     ways = np.linspace(0.0, 1.0, POINTS)
-    widths = np.tile(0.17 * (1 - 0.85 * ways**1.6) * np.minimum(1.0, 0.75 + ways), (len(place), 1))
+    widths = np.tile(0.12 * (1 - 0.85 * ways**1.6) * np.minimum(1.0, 0.75 + ways), (len(place), 1))
     return surface.root(
         triangles, weights, np.stack(curve, axis=1), widths, colour, np.full(len(place), 0.15), 0.25
     )

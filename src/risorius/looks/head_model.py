@@ -11,6 +11,7 @@ from ..face.head import Head
 from ..face.identity import Looks
 from .anatomy import Anatomy, find_anatomy
 from .brows import grow_brows
+from .greying import greyed, greyed_colour
 from .hair_styles import grow_hair, grown_on
 from .kept_hairs import kept_hairs
 from .lashes import grow_lashes
@@ -62,9 +63,17 @@ def _made(head: Head, looks: Looks) -> HeadModel:
     anatomy = find_anatomy(head)
     surface = skin_surface(head, anatomy)
     hair, brows, skin = linear(looks.hair), linear(looks.brows or looks.hair), linear(looks.skin)
+    grey = {"hair": looks.grey, "hairline": looks.grey, "brows": 0.6 * looks.grey**2, "lashes": 0.0}
     ground = grown_on(anatomy, surface)
     solids = [
-        skin_part(head, anatomy, surface, looks, brows, hair),
+        skin_part(
+            head,
+            anatomy,
+            surface,
+            looks,
+            greyed_colour(brows, grey["brows"]),
+            greyed_colour(hair, grey["hair"]),
+        ),
         *eye_parts(head),
         teeth_part("teeth_upper", head.teeth_upper),
         teeth_part("teeth_lower", head.teeth_lower),
@@ -84,6 +93,7 @@ def _made(head: Head, looks: Looks) -> HeadModel:
         **grow_hair(anatomy, surface, hair, looks),
     }
     by_name = {part.name: part for part in solids}
+    hairs = {name: greyed(strands, grey[name]) for name, strands in hairs.items()}
     return HeadModel(head, looks, anatomy, surface, by_name, hairs, linear(looks.cloth))
 
 

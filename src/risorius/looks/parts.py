@@ -94,7 +94,7 @@ def skin_part(
     attributes = paint_skin(anatomy, looks, inside, curvature)
     under = attributes[:, ALBEDO : ALBEDO + 3]
     for shade, colour in (
-        (0.66 * brow_shade(anatomy), brows),
+        (0.78 * brow_shade(anatomy), brows),
         (0.8 * lash_shade(head, anatomy.skin), 0.35 * hair),
         (scalp_shade(anatomy, looks.hair_style), hair),
     ):
