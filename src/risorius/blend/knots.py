@@ -14,7 +14,7 @@ import numpy as np
 from ..core.arrays import Array, IndexArray
 from ..core.time import TICK
 
-BLOCK = 30.0
+BLOCK = 60.0
 """Seconds of one block of time: knots and frames are computed block by block, so that memory does not grow
 with the score. Results depend on it by rounding alone."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from dataclasses import replace
 
 import numpy as np
@@ -10,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.blend.mouth.coarticulation import LIP_MODELS, SegmentValues, without_gaps
-from risorius.blend.mouth.effort import EFFORT, HELD, PART, EffortModel
+from risorius.blend.mouth.effort import CACHED, EFFORT, HELD, PART, EffortModel, _System
 from risorius.core.movement import LipSegment
 from risorius.core.utterance import SILENCE
 from tests.profiles import examples
@@ -152,3 +153,13 @@ def test_a_part_of_the_curve_is_the_same_whatever_follows_the_pause_at_its_end()
     said = segment("AA", PART - 2.0, PART + HELD + 0.1, 0.7)
     after = segment("AA", said.end + 0.3, said.end + 0.6, 1.0, 0.1)
     assert curve([said, after], times) == pytest.approx(curve([said], times), abs=1e-9)
+
+
+def test_systems_go_with_their_parts() -> None:
+    long = [segment("AA", start, start + 8.0, 0.5) for start in np.arange(0.0, 20 * PART, 8.0)]
+    model = EffortModel(without_gaps(long))
+    values = [SegmentValues(model.targets(JAW))]
+    gc.collect()
+    for part in range(20):
+        model.averages(model.group(JAW), values, np.array([part * PART + 1.0]))
+    assert sum(isinstance(it, _System) for it in gc.get_objects()) <= CACHED

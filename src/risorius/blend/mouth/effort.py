@@ -62,8 +62,10 @@ PART = 32.0
 time must not depend on which other times are requested."""
 LONGEST = 30.0
 """Seconds beyond its part at which a window is cut."""
-CACHED, GROUPS = 4, 16
-"""Parts that stay cached, and how many groups' solutions of each: enough for a block of knots."""
+CACHED = 4
+"""Parts that stay cached with the systems of their groups, .3 MB each: enough for a block of knots."""
+SHARED = 16
+"""Shares of all segments in a part that stay cached, which only explanations need."""
 GRAIN = 2.0**-32
 """Values are whole multiples of this: a segment that is far away changes no bit, and rest is exactly 0."""
 
@@ -131,6 +133,13 @@ class _System:
         return np.asarray(unknowns.T)
 
 
+class _Part(NamedTuple):
+    """The elements of one part, and the systems of groups so far."""
+
+    elements: _Elements
+    systems: dict[int, _System]
+
+
 class _Basis(NamedTuple):
     """Sorted times (n,) of one part: their `place` among others, and the cubics that are not 0 at each.
 
@@ -170,9 +179,8 @@ class EffortModel:
         # Only of segments after which the mouth rests is it known how they end.
         self._pauses = _pauses(segments) if _is_silent(segments[-1]) else np.zeros(0, np.intp)
         self._groups = ParameterGroups(self._precision)
-        self._elements = lru_cache(maxsize=CACHED)(self._elements_of)
-        self._system = lru_cache(maxsize=CACHED * GROUPS)(self._system_of)
-        self._shares = lru_cache(maxsize=GROUPS)(self._shared)
+        self._part = lru_cache(maxsize=CACHED)(lambda part: _Part(self._elements_of(part), {}))
+        self._shares = lru_cache(maxsize=SHARED)(self._shared)
         self._latest: tuple[Array, tuple[_Basis, ...]] | None = None
 
     def group(self, parameter: str) -> int:
@@ -199,7 +207,7 @@ class EffortModel:
         """Return the share of each segment at sorted times: the curve if its target is 1 and all others 0."""
         segments, places, shares = [], [], []
         for basis in self._bases(times):
-            near, place = self._elements(basis.part).near, basis.place
+            near, place = self._part(basis.part).elements.near, basis.place
             shares.append(basis.curve(self._shares(group, basis.part)).T.ravel())
             segments.append(np.tile(near, place.stop - place.start))
             places.append(np.repeat(np.arange(place.start, place.stop), len(near)))
@@ -215,13 +223,21 @@ class EffortModel:
         latest = self._latest
         if latest is None or latest[0] is not times:
             bases = (
-                _basis(part, place, self._elements(part), times[place]) for part, place in parts(times, PART)
+                _basis(part, place, self._part(part).elements, times[place])
+                for part, place in parts(times, PART)
             )
             latest = self._latest = (times, tuple(bases))
         return latest[1]
 
-    def _system_of(self, group: int, part: int) -> _System:
-        elements = self._elements(part)
+    def _system(self, group: int, number: int) -> _System:
+        """Return the system of a group in a part; if two threads need it, both compute it."""
+        part = self._part(number)
+        system = part.systems.get(group)
+        if system is None:
+            system = part.systems[group] = self._system_of(group, part.elements)
+        return system
+
+    def _system_of(self, group: int, elements: _Elements) -> _System:
         precision = self._groups.rows[group][elements.near]
         matrix = _matrix(elements, precision)
         factor = cholesky_banded(matrix, overwrite_ab=True, lower=True, check_finite=False)
