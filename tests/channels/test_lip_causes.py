@@ -7,9 +7,10 @@ import pytest
 from tests.profiles import everyday
 
 from risorius import blend
-from risorius.channels import Display
+from risorius.channels import ChannelInputs, Display
+from risorius.channels import compose as compose_channels
 from risorius.core.arkit import INDEX as SHAPE
-from risorius.core.articulators import JAW
+from risorius.core.articulators import JAW, PROTRUSION
 from risorius.core.lip_rig import gap_left
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX, NAMES
@@ -40,6 +41,20 @@ def test_an_accent_opens_the_jaw_by_one_mechanism() -> None:
     assert len(utterance.accents) >= 5
     assert len(middles) >= 12
     assert np.abs(drops[0] - drops[1]).max() < 0.3
+
+
+def test_the_glide_of_you_begins_its_vowel(utterance_of) -> None:
+    """A short /ju/ has time for two shapes of the lips, and the first is already half round."""
+    found = {}
+    for words in ("Y UW", "N UW", "Y IY"):
+        utterance = utterance_of(words)
+        found[words] = [s for s in compose_channels(ChannelInputs(2.0, utterance)).lips if s.phone]
+    you, new, ye = found.values()
+    assert [s.phone for s in you] == ["Y", "UW"]
+    assert you[1].targets == new[2].targets
+    assert 0.4 < you[0].targets["lip_protrusion"] / you[1].targets["lip_protrusion"] < 0.6
+    assert PROTRUSION not in ye[0].targets
+    assert ye[0].targets["lip_width"] > 0.0
 
 
 def test_an_accent_hardly_opens_rounded_vowels() -> None:

@@ -107,7 +107,8 @@ class _Shaper:
 
     def _alone(self, index: int, phone: Phone) -> Iterator[LipSegment]:
         scale = self._opening(index, phone)
-        shapes = self._sounds(phone.symbol)
+        before = self.utterance.phones[index - 1].symbol if index else SILENCE
+        shapes = self._sounds(phone.symbol, before)
         if index in self._onsets:
             shapes = tuple(
                 (symbol, self.table.at_onset(symbol, shape), part) for symbol, shape, part in shapes
@@ -121,10 +122,10 @@ class _Shaper:
             yield self._segment(symbol, shape, *times, cause, scale, self._fullness[index])
             start = end
 
-    def _sounds(self, symbol: str) -> tuple[tuple[str, PhoneShape, float], ...]:
+    def _sounds(self, symbol: str, before: str = SILENCE) -> tuple[tuple[str, PhoneShape, float], ...]:
         """Return a phone's sounds; of one that no table has, those of the class of sounds it looks like."""
         if symbol in self.table.phones or symbol in self.table.diphthongs:
-            return self.table.shapes(symbol)
+            return self.table.shapes(symbol, before)
         if is_known(symbol):
             return sounds(symbol)
         return tuple(sound for part in to_arpabet(symbol) for sound in self.table.shapes(part))

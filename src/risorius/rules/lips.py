@@ -58,10 +58,14 @@ class LipClass:
 
 @dataclass(frozen=True, slots=True)
 class Diphthong:
-    """Two shapes in a row; `turn` is the share of the phone that the first one takes."""
+    """Two shapes in a row; `turn` is the share of the phone that the first one takes.
+
+    `begun_by`: phones that are the first shape themselves; after them the phone has its second one alone.
+    """
 
     parts: tuple[str, str]
     turn: Share
+    begun_by: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -215,12 +219,17 @@ class LipTable:
             for name in {*shares, *held}
         }
 
-    def shapes(self, symbol: str) -> tuple[tuple[str, PhoneShape, float], ...]:
-        """Return a phone's shapes in order, each with its symbol and share of the phone's time."""
+    def shapes(self, symbol: str, before: str = "") -> tuple[tuple[str, PhoneShape, float], ...]:
+        """Return a phone's shapes in order, each with its symbol and share of the phone's time.
+
+        `before`: the phone before it.
+        """
         diphthong = self.diphthongs.get(symbol)
         if diphthong is None:
             return ((symbol, self.shape(symbol), 1.0),)
         first, second = (self.shape(part) for part in diphthong.parts)
+        if before in diphthong.begun_by:
+            return ((symbol, second, 1.0),)
         return (symbol, first, diphthong.turn), (symbol, second, 1.0 - diphthong.turn)
 
 
@@ -291,7 +300,7 @@ def _check_names(raw: _File) -> None:
     for phone in shapes:
         if phone.lip_class not in raw.classes:
             raise InputError(f"lips.toml: {unknown('class of phones', phone.lip_class, raw.classes)}")
-    for part in (part for d in raw.diphthongs.values() for part in d.parts):
+    for part in (part for d in raw.diphthongs.values() for part in (*d.parts, *d.begun_by)):
         if part not in raw.phones:
             raise InputError(f"lips.toml: {unknown('phone', part, raw.phones)}")
 
