@@ -39,6 +39,14 @@ def test_corners_are_rounded_off() -> None:
     assert second_difference(SCORE, 100) > 8 * second_difference(SCORE, 400)
 
 
+@pytest.mark.parametrize("top", [0.503, 0.55, 0.66])
+def test_a_quick_movement_that_stands_out_has_no_corners(top: float) -> None:
+    """It takes over from another and ends within the time over which corners are rounded."""
+    quick = replace(TWO[1], start=0.712, onset=0.09, targets={SMILE: top})
+    score = replace(SCORE, movements=(TWO[0], quick))
+    assert second_difference(score, 100) > 8 * second_difference(score, 400)
+
+
 @pytest.mark.parametrize(
     "movements",
     [

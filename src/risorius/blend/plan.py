@@ -17,7 +17,7 @@ import numpy as np
 from ..core.arrays import Array
 from ..core.channels import CHANNELS
 from ..core.lip_rig import OPENING, LipRig
-from ..core.parameters import INDEX, NAMES, NEUTRAL
+from ..core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
 from ..core.performance import Performance, frame_times
 from ..core.score import Score, check_score
 from . import mouth, policies  # noqa: F401 - models and policies register themselves
@@ -25,7 +25,7 @@ from .channels import compile_channels
 from .concatenate import SIGNED
 from .conflict import POLICIES, Join, PolicyInputs
 from .directions import combine_directions
-from .knots import BLOCK
+from .knots import BLOCK, smoothstep
 from .layers import CompiledLayers
 from .ledger import DirectionEntry, Ledger, direction_entries
 from .levels import steady
@@ -36,7 +36,7 @@ from .mouth.limits import LIPS, SpeechLimits
 from .mouth.lips import CompiledLips
 from .mouth.sealing import with_goals
 from .mouth.speech_mouth import JAW
-from .rounding import Rounding, Surroundings
+from .rounding import MANY, SHARP, Rounding, Surroundings
 from .sides import twins_of
 from .tuning import tune
 from .units import UnitSums
@@ -117,6 +117,11 @@ class Plan:
         """Return whether channels add up in a parameter; else the highest wins."""
         return self.sums or name in SIGNED or (name == JAW and self.lips is not None)
 
+    def switches(self, name: str) -> bool:
+        """Return whether one of several curves of a parameter may take over from another."""
+        others = (channel.curves for channel in self.channels if channel.name != LIPS)
+        return not self.adds(name) and any(name in curves for curves in others)
+
     def batches(self, times: Array) -> Iterator[Array]:
         """Yield sorted times in batches that lie in one block and are not too long."""
         for chosen in _chunks(times):
@@ -183,9 +188,23 @@ class PlanSample:
             surroundings = Surroundings(self.times, width, self.plan.score.duration)
             self._around[width] = surroundings, PlanSample(self.plan, surroundings.times)
         surroundings, sample = self._around[width]
-        average = surroundings.average(read(sample, name))
+        around = read(sample, name)
+        average = surroundings.average(around)
+        if read is PlanSample.joined and self.plan.switches(name):
+            self._average_corners(name, average, surroundings.sharpness(sample.added(name)))
         exact = self.plan.rounding.exact(name, self.times)
         return np.where(exact, read(self, name), average) if exact.any() else average
+
+    def _average_corners(self, name: str, average: Array, sharpness: Array) -> None:
+        """Compute averages (n,) of a parameter anew where its curve is sharp, from more times around."""
+        parameter = PARAMETERS[INDEX[name]]
+        shares = smoothstep(np.clip(sharpness / (SHARP * (parameter.high - parameter.low)) - 1.0, 0.0, 1.0))
+        here = np.flatnonzero(shares)
+        if len(here):
+            width, end = self.plan.rounding.width(name), self.plan.score.duration
+            many = Surroundings(self.times[here], width, end, MANY)
+            closer = many.average(PlanSample(self.plan, many.times).joined(name))
+            average[here] += shares[here] * (closer - average[here])
 
     def ledger(self, name: str) -> Ledger:
         """Return what all channels do with a parameter that is not a direction."""
@@ -248,6 +267,13 @@ class PlanSample:
     def speech(self, name: str) -> Array:
         """Return what the lips' own movements leave of a parameter, shape (n,)."""
         return self.ledger(name).speech
+
+    def added(self, name: str) -> Array:
+        """Return what all channels change of what the lips' own movements leave, shape (n,)."""
+        lips = self.plan.lips
+        if lips is None or name not in lips.parameters:
+            return self.joined(name)
+        return self.joined(name) - self.speech(name)
 
     def mouth_gaps(self, rig: LipRig) -> MouthGaps | None:
         """Return the gap by speech and by all channels; None if only speech can part the lips."""

@@ -1,7 +1,8 @@
 """Rounding: curves have no corners where a maximum, an inhibition or a limit switches.
 
-Each curve is averaged over a short time around every moment, before the contact goals. The average is taken
-at a few times around the moment itself, so that it does not depend on the frame rate.
+Each curve is averaged over a short time around every moment, before the contact goals, with weights that
+fall off to both sides. The average is taken at a few times around the moment itself, so that it does not
+depend on the frame rate, and at many where these few show a corner: few keep some small corners of a large one.
 """
 
 from __future__ import annotations
@@ -17,8 +18,14 @@ from ..core.parameters import INDEX, PARAMETERS, Kind
 from ..core.score import Score
 from .intervals import Spans, merged
 
-SAMPLES = 6
-"""Times around a moment at which a curve is read; their corners are too small to show."""
+SAMPLES, MANY = 6, 12
+"""Times around a moment at which a curve is read, and where it has a corner."""
+REACH = 0.75
+"""How far from a moment a curve is read, as a share of the time over which it is averaged: weights that fall
+off evenly over one and a half times that time are worth as much as equal weights over all of it."""
+SHARP = 0.001
+"""From which fourth difference of a curve that is read at a few times on it may have a corner, as a share of
+the parameter's range: more than most smooth movements have."""
 QUICK = 0.25
 """The share of the time over which lids and eyes are rounded: their fastest movements take some 30 ms."""
 
@@ -50,21 +57,30 @@ class Rounding:
 class Surroundings:
     """The times around some sorted times (n,) at which curves are read for averages over `width` seconds.
 
-    Nothing is read before 0 or after `end`.
+    `samples`: how many for each. Nothing is read before 0 or after `end`.
     """
 
-    def __init__(self, times: Array, width: float, end: float) -> None:
-        offsets = width * ((np.arange(SAMPLES) + 0.5) / SAMPLES - 0.5)
-        spread = np.clip(times + offsets[:, np.newaxis], 0.0, end).ravel()
+    def __init__(self, times: Array, width: float, end: float, samples: int = SAMPLES) -> None:
+        aside = ((np.arange(samples) + 0.5) * 2.0 - samples) / samples
+        weights = 1.0 - np.abs(aside)
+        self._weights = (weights / weights.sum())[1:, np.newaxis]
+        spread = np.clip(times + REACH * width * aside[:, np.newaxis], 0.0, end).ravel()
         order = np.argsort(spread, kind="stable")
         self.times, self._place = spread[order], np.empty(len(order), np.intp)
         self._place[order] = np.arange(len(order))
 
     def average(self, values: Array) -> Array:
         """Return the averages (n,) of values at `times`; of equal values exactly their value."""
-        around: Array = values.take(self._place).reshape(SAMPLES, -1)
+        around = self._around(values)
         # Of differences, so that those of equal values are exactly 0.
-        return np.asarray(around[0] + (around[1:] - around[0]).sum(axis=0) / SAMPLES)
+        return np.asarray(around[0] + ((around[1:] - around[0]) * self._weights).sum(axis=0))
+
+    def sharpness(self, values: Array) -> Array:
+        """Return the largest fourth difference around each time, shape (n,), of values at `times`."""
+        return np.asarray(np.abs(np.diff(self._around(values), 4, axis=0)).max(axis=0))
+
+    def _around(self, values: Array) -> Array:
+        return values.take(self._place).reshape(len(self._weights) + 1, -1)
 
 
 def _spans_of(score: Score, width: float) -> dict[str, Spans]:
