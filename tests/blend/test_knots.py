@@ -13,6 +13,7 @@ from risorius.blend.knots import (
     STEEPEST,
     Knots,
     Neighbourhood,
+    along,
     block_knots,
     eased,
     inverse_ramp,
@@ -21,6 +22,7 @@ from risorius.blend.knots import (
     ramp,
 )
 
+KNOTS = np.array([0.0, 0.004, 0.009, 0.0135, 0.0185, 0.0225])
 SHARES = arrays(np.float64, 60, elements=st.floats(0.0, 1.0))
 STEPS = arrays(np.float64, 60, elements=st.floats(0.001, 0.01))
 WIDTH = 0.04
@@ -32,6 +34,20 @@ def test_a_ramp_goes_from_0_to_1_and_rests_at_both_ends() -> None:
     assert (values[0], values[500], values[-1]) == (0.0, 0.5, 1.0)
     assert speed.max() == pytest.approx(STEEPEST)
     assert max(speed[0], speed[-1]) < 0.01
+
+
+@given(values=arrays(np.float64, len(KNOTS), elements=st.floats(0.0, 1.0)))
+def test_a_curve_along_knots_turns_about_them_without_corners(values: np.ndarray) -> None:
+    times = np.linspace(-0.002, 0.0245, 26501)
+    curve, lines = along(times, KNOTS, values), np.interp(times, KNOTS, values)
+    middles = (KNOTS[1:] + KNOTS[:-1]) / 2.0
+    assert along(middles, KNOTS, values) == pytest.approx(np.interp(middles, KNOTS, values), abs=1e-12)
+    assert curve.min() >= values.min() - 1e-12
+    assert curve.max() <= values.max() + 1e-12
+    assert np.abs(curve - lines).max() <= np.abs(np.diff(values)).max() / 4.0 + 1e-12
+    inside = (times[1:-1] > KNOTS[0] + 2e-6) & (times[1:-1] < KNOTS[-1] - 2e-6)
+    # A corner would turn by up to 1 in 4 ms within a step of a microsecond.
+    assert np.abs(np.diff(curve, 2))[inside].max() <= 1e-3 * np.abs(np.diff(lines, 2)).max() + 1e-12
 
 
 @given(share=SHARES)

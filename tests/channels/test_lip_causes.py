@@ -100,8 +100,9 @@ def test_arkit_puckers_closed_lips_and_funnels_open_ones() -> None:
     assert apart < ajar < 0.5
 
 
-def test_tongue_and_head_have_no_corners_in_speech() -> None:
-    script = read_script(LINE, text=True)
+@pytest.mark.parametrize("text", [LINE, "The fox ran over the wooden fence and vanished."])
+def test_tongue_and_head_have_no_corners_in_speech(text: str) -> None:
+    script = read_script(text, text=True)
     plan = blend.Plan(compose(script, say(script), (), Settings(seed=1)), load_lip_rig())
     names = ("tongue_up", "tongue_back", "tongue_out", "head_yaw", "head_roll", "head_pitch")
     _check_corners(plan, names)
@@ -121,16 +122,29 @@ def test_jaw_and_contacts_have_no_corners_in_speech(text: str) -> None:
     _check_corners(plan, ("masseter", "lip_seal", "lip_tuck"))
 
 
-@pytest.mark.parametrize("emotion", everyday(["surprise", "happiness", "anger"], ["surprise"]))
-def test_jaw_and_contacts_have_no_corners_under_a_display(emotion: str) -> None:
-    script = read_script("Map, mop, pope, babe.", text=True)
-    shown = (Display(emotion, 1.0),)
-    plan = blend.Plan(compose(script, say(script), shown, Settings(seed=2)), load_lip_rig())
+UNDER_DISPLAYS = (
+    ("surprise", "Map, mop, pope, babe."),
+    ("happiness", "Map, mop, pope, babe."),
+    ("anger", "Map, mop, pope, babe."),
+    ("disgust", "Bob proved Pam was wrong about the whole movie."),
+    ("fear", "A few brave women and five puppies won the match."),
+)
+
+
+@pytest.mark.parametrize("shown", everyday(UNDER_DISPLAYS, (UNDER_DISPLAYS[0], UNDER_DISPLAYS[-1])))
+def test_jaw_and_contacts_have_no_corners_under_a_display(shown: tuple[str, str]) -> None:
+    emotion, text = shown
+    script = read_script(text, text=True)
+    displays = (Display(emotion, 1.0),)
+    plan = blend.Plan(compose(script, say(script), displays, Settings(seed=2)), load_lip_rig())
     _check_corners(plan, ("masseter", "lip_seal"))
 
 
 def test_between_closures_a_surprise_has_the_jaw_that_time_allows() -> None:
-    """A third of the range takes a third of the jaw's .12 s either way; closures are 150 ms apart."""
+    """A third of the range takes a third of the jaw's .12 s either way; closures are 150 ms apart.
+
+    Of these the knots beside the closures are closed, too: the limit turns about them.
+    """
     closed, times = lip_table().shape("M").targets, np.arange(1.0, 1.15, 0.005)
     lips = tuple(
         LipSegment(phone, start, end, targets, {"masseter": (0.0, 0.05)} if phone == "M" else {})
@@ -145,7 +159,7 @@ def test_between_closures_a_surprise_has_the_jaw_that_time_allows() -> None:
         blend.at(Score(2.0, movements, lips), times, load_lip_rig())[:, INDEX["masseter"]]
         for movements in ((), (shown,))
     ]
-    assert (jaws[1] - jaws[0]).mean() > 0.45 * 0.35
+    assert (jaws[1] - jaws[0]).mean() > 0.44 * 0.35
 
 
 def _check_corners(plan: blend.Plan, names: tuple[str, ...]) -> None:

@@ -85,6 +85,27 @@ class Knots:
         return np.append(knots, end)
 
 
+def along(times: Array, knots: Array, values: Array) -> Array:
+    """Return at some times, shape (n,), the curve of `values` on sorted `knots` (m,), without corners.
+
+    It is straight from knot to knot, and a parabola about each knot, up to the middle of the shorter of the
+    stretches beside it. Before the first knot and after the last it keeps their values.
+    """
+    lengths = np.diff(knots)
+    nearest = np.searchsorted(knots[:-1] + 0.5 * lengths, times)
+    slopes = np.zeros(len(knots) + 1)
+    slopes[1:-1] = np.diff(values) / lengths
+    reach = np.zeros(len(knots))
+    reach[1:-1] = 0.5 * np.minimum(lengths[1:], lengths[:-1])
+    aside, near = times - knots.take(nearest), reach.take(nearest)
+    over = np.maximum(near - np.abs(aside), 0.0)
+    over *= over * (0.25 / np.maximum(near, TICK))
+    curve = values.take(nearest)
+    curve += slopes.take(nearest) * (np.minimum(aside, 0.0) - over)
+    curve += slopes[1:].take(nearest) * (np.maximum(aside, 0.0) + over)
+    return np.asarray(curve)
+
+
 def smoothstep(x: Array) -> Array:
     """Return 3x² - 2x³ for x in [0, 1]: 0 and 1 at the ends, with slope 0 there."""
     return x * x * (3.0 - 2.0 * x)

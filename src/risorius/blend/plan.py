@@ -17,7 +17,7 @@ import numpy as np
 from ..core.arrays import Array
 from ..core.channels import CHANNELS
 from ..core.lip_rig import OPENING, LipRig
-from ..core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
+from ..core.parameters import INDEX, NAMES, NEUTRAL
 from ..core.performance import Performance, frame_times
 from ..core.score import Score, check_score
 from . import mouth, policies  # noqa: F401 - models and policies register themselves
@@ -29,18 +29,20 @@ from .knots import BLOCK, smoothstep
 from .layers import CompiledLayers
 from .ledger import DirectionEntry, Ledger, direction_entries
 from .levels import steady
-from .mouth.approach import MouthGaps, smooth_minimum
+from .mouth.approach import MouthGaps, smooth_maximum, smooth_minimum
 from .mouth.coarticulation import LIP_MODELS
 from .mouth.contact import CONTACTS
 from .mouth.limits import LIPS, SpeechLimits
 from .mouth.lips import CompiledLips
 from .mouth.sealing import with_goals
 from .mouth.speech_mouth import JAW
-from .rounding import MANY, SHARP, Rounding, Surroundings
+from .rounding import MORE, SAMPLES, SHARP, Rounding, Surroundings
 from .sides import twins_of
 from .tuning import tune
 from .units import UnitSums
 
+TAKEN_OVER = 0.06
+"""Of a muscle's range: how near to each other speech and a display turn from one to the other."""
 JAW_ROUNDED = 0.06
 """Of the jaw's range: how near to the limit of a closed mouth it turns."""
 CHUNK = 16_384
@@ -117,11 +119,6 @@ class Plan:
         """Return whether channels add up in a parameter; else the highest wins."""
         return self.sums or name in SIGNED or (name == JAW and self.lips is not None)
 
-    def switches(self, name: str) -> bool:
-        """Return whether one of several curves of a parameter may take over from another."""
-        others = (channel.curves for channel in self.channels if channel.name != LIPS)
-        return not self.adds(name) and any(name in curves for curves in others)
-
     def batches(self, times: Array) -> Iterator[Array]:
         """Yield sorted times in batches that lie in one block and are not too long."""
         for chosen in _chunks(times):
@@ -150,7 +147,7 @@ class PlanSample:
         self._ledgers: dict[str, Ledger] = {}
         self._joined: dict[str, Array] = {}
         self._values: dict[str, Array] = {}
-        self._around: dict[float, tuple[Surroundings, PlanSample]] = {}
+        self._around: dict[tuple[float, bool], tuple[Surroundings, PlanSample]] = {}
 
     def values(self, wanted: Container[str] = NAMES) -> Array:
         """Return all parameters, shape (n, 46); those that are not `wanted` stay at rest."""
@@ -184,26 +181,31 @@ class PlanSample:
         width = self.plan.rounding.width(name)
         if not width:
             return read(self, name)
-        if width not in self._around:
-            surroundings = Surroundings(self.times, width, self.plan.score.duration)
-            self._around[width] = surroundings, PlanSample(self.plan, surroundings.times)
-        surroundings, sample = self._around[width]
+        even = self.plan.rounding.even(name)
+        if (width, even) not in self._around:
+            surroundings = self._surroundings(name, self.times)
+            self._around[width, even] = surroundings, PlanSample(self.plan, surroundings.times)
+        surroundings, sample = self._around[width, even]
         around = read(sample, name)
         average = surroundings.average(around)
-        if read is PlanSample.joined and self.plan.switches(name):
-            self._average_corners(name, average, surroundings.sharpness(sample.added(name)))
+        if not even:
+            self._average_corners(name, read, average, surroundings.sharpness(around))
         exact = self.plan.rounding.exact(name, self.times)
         return np.where(exact, read(self, name), average) if exact.any() else average
 
-    def _average_corners(self, name: str, average: Array, sharpness: Array) -> None:
-        """Compute averages (n,) of a parameter anew where its curve is sharp, from more times around."""
-        parameter = PARAMETERS[INDEX[name]]
-        shares = smoothstep(np.clip(sharpness / (SHARP * (parameter.high - parameter.low)) - 1.0, 0.0, 1.0))
+    def _surroundings(self, name: str, times: Array, samples: int = SAMPLES) -> Surroundings:
+        rounding, end = self.plan.rounding, self.plan.score.duration
+        return Surroundings(times, rounding.width(name), end, even=rounding.even(name), samples=samples)
+
+    def _average_corners(
+        self, name: str, read: Callable[[PlanSample, str], Array], average: Array, sharpness: Array
+    ) -> None:
+        """Compute averages (n,) of a parameter anew if its curve is sharp there, from more times around."""
+        shares = smoothstep(np.clip(sharpness / SHARP - 1.0, 0.0, 1.0))
         here = np.flatnonzero(shares)
         if len(here):
-            width, end = self.plan.rounding.width(name), self.plan.score.duration
-            many = Surroundings(self.times[here], width, end, MANY)
-            closer = many.average(PlanSample(self.plan, many.times).joined(name))
+            around = self._surroundings(name, self.times[here], MORE)
+            closer = around.average(read(PlanSample(self.plan, around.times), name))
             average[here] += shares[here] * (closer - average[here])
 
     def ledger(self, name: str) -> Ledger:
@@ -226,7 +228,12 @@ class PlanSample:
         """Return speech and all other channels together, 0..1."""
         ledger, lips = self.ledger(name), self.plan.lips
         others = self._others(ledger)
-        total = ledger.speech + others if self.plan.adds(name) else np.maximum(ledger.speech, others)
+        if self.plan.adds(name):
+            total = ledger.speech + others
+        elif self.plan.rounding.width(name) and others.any() and ledger.speech.any():
+            total = smooth_maximum(ledger.speech, others, TAKEN_OVER)
+        else:
+            total = np.maximum(ledger.speech, others)
         total = self._raised(ledger, total)
         if lips is not None and name in lips.mouth.raised:
             total = np.maximum(total, lips.mouth.low_at(name, self.times))
@@ -267,13 +274,6 @@ class PlanSample:
     def speech(self, name: str) -> Array:
         """Return what the lips' own movements leave of a parameter, shape (n,)."""
         return self.ledger(name).speech
-
-    def added(self, name: str) -> Array:
-        """Return what all channels change of what the lips' own movements leave, shape (n,)."""
-        lips = self.plan.lips
-        if lips is None or name not in lips.parameters:
-            return self.joined(name)
-        return self.joined(name) - self.speech(name)
 
     def mouth_gaps(self, rig: LipRig) -> MouthGaps | None:
         """Return the gap by speech and by all channels; None if only speech can part the lips."""

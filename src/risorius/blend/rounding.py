@@ -1,8 +1,8 @@
 """Rounding: curves have no corners where a maximum, an inhibition or a limit switches.
 
-Each curve is averaged over a short time around every moment, before the contact goals, with weights that
-fall off to both sides. The average is taken at a few times around the moment itself, so that it does not
-depend on the frame rate, and at many where these few show a corner: few keep some small corners of a large one.
+Each curve is averaged over a short time around every moment, before the contact goals. The average is taken
+at a few times around the moment itself, so that it does not depend on the frame rate; of the brows at more if
+these few show a corner.
 """
 
 from __future__ import annotations
@@ -18,14 +18,13 @@ from ..core.parameters import INDEX, PARAMETERS, Kind
 from ..core.score import Score
 from .intervals import Spans, merged
 
-SAMPLES, MANY = 6, 12
-"""Times around a moment at which a curve is read, and where it has a corner."""
-REACH = 0.75
-"""How far from a moment a curve is read, as a share of the time over which it is averaged: weights that fall
-off evenly over one and a half times that time are worth as much as equal weights over all of it."""
+SAMPLES, MORE = 6, 12
+"""Times around a moment at which a curve is read: few leave some small corners of a large one."""
 SHARP = 0.001
-"""From which fourth difference of a curve that is read at a few times on it may have a corner, as a share of
-the parameter's range: more than most smooth movements have."""
+"""From which fourth difference of what is read at a few times on there may be a corner: smooth movements of
+the brows have less."""
+FALLING = 1.5
+"""Weights that fall off evenly to both sides smooth as much as equal ones over a time so much shorter."""
 QUICK = 0.25
 """The share of the time over which lids and eyes are rounded: their fastest movements take some 30 ms."""
 
@@ -45,6 +44,14 @@ class Rounding:
         quick = parameter.group == "lids" or parameter.kind in (Kind.GAZE, Kind.DISTANCE)
         return self._width * QUICK if quick else self._width
 
+    def even(self, name: str) -> bool:
+        """Return whether all that is read around a moment counts alike (`Surroundings`).
+
+        Of the brows what is farther away counts less: a signal takes over from a display in full speed, and
+        may stand out for a shorter time than `width`, so that equal weights would leave two corners.
+        """
+        return PARAMETERS[INDEX[name]].group != "brows"
+
     def exact(self, name: str, times: Array) -> Array:
         """Return at which times, shape (n,), a parameter keeps its corners: bool (n,)."""
         spans = self._exact.get(name)
@@ -57,14 +64,18 @@ class Rounding:
 class Surroundings:
     """The times around some sorted times (n,) at which curves are read for averages over `width` seconds.
 
-    `samples`: how many for each. Nothing is read before 0 or after `end`.
+    `even`: all count alike; else those that are farther away count less. `samples`: how many for each time.
+    Nothing is read before 0 or after `end`.
     """
 
-    def __init__(self, times: Array, width: float, end: float, samples: int = SAMPLES) -> None:
+    def __init__(
+        self, times: Array, width: float, end: float, *, even: bool = True, samples: int = SAMPLES
+    ) -> None:
         aside = ((np.arange(samples) + 0.5) * 2.0 - samples) / samples
-        weights = 1.0 - np.abs(aside)
+        weights = np.ones(samples) if even else 1.0 - np.abs(aside)
         self._weights = (weights / weights.sum())[1:, np.newaxis]
-        spread = np.clip(times + REACH * width * aside[:, np.newaxis], 0.0, end).ravel()
+        reach = 0.5 * (width if even else FALLING * width)
+        spread = np.clip(times + reach * aside[:, np.newaxis], 0.0, end).ravel()
         order = np.argsort(spread, kind="stable")
         self.times, self._place = spread[order], np.empty(len(order), np.intp)
         self._place[order] = np.arange(len(order))

@@ -47,8 +47,10 @@ ADDED = 0.5
 """The most that other channels add to the opening of speech, as a share of it; our own choice."""
 
 
-ROUNDED, PARTED, WIDEST = 1.0, 3.0, 100.0
+ROUNDED, PARTED, WIDEST = 4.0, 5.0, 100.0
 """mm over which what is left open and what other channels add are rounded at 0, and a gap wider than all."""
+TINY = 1e-12
+"""No curve turns over less than this."""
 
 
 class Approach:
@@ -190,6 +192,16 @@ def lesser(a: Array, b: Array) -> Array:
     greater = np.maximum(a, b)
     share = np.divide(np.minimum(a, b), greater, out=np.zeros(np.shape(greater)), where=greater > 0.0)
     return np.asarray(share * greater / (1.0 + share**4) ** 0.25)
+
+
+def smooth_maximum(a: Array, b: Array, width: float) -> Array:
+    """Return the greater of two curves of 0 or more, rounded off by at most width/4 near their crossings.
+
+    Where one is smaller than `width` it is rounded off by less, and not at all beside a curve at rest.
+    """
+    least = np.minimum(np.minimum(a, b), width)
+    near = np.maximum(least - np.abs(a - b), 0.0)
+    return np.asarray(np.maximum(a, b) + near * near * (0.25 / np.maximum(least, TINY)))
 
 
 def smooth_minimum(a: Array, b: Array, width: float) -> Array:

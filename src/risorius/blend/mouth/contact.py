@@ -21,10 +21,11 @@ from .tradeoffs import tradeoffs
 
 SEAL, TUCK = "lip_seal", "lip_tuck"
 CONTACTS = (SEAL, TUCK)
-SOFT, MOST_SOFT = 0.012, 0.28
+SOFT, MOST_SOFT = 0.016, 0.3
 """Seconds in which a contact reaches its speed, and the greatest share of a ramp that they may be."""
-GIVES_WAY = 4
-"""The power of a tuck by which the seal gives way to it: once the tuck begins to go, hardly any more."""
+GIVES_WAY = 2
+"""The power of a tuck by which the seal gives way to it: more than 1, so that the seal comes before the tuck
+has gone; with 4 a seal that a display needs came in 10 ms."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,7 +161,7 @@ class GoalCurve:
 
 
 def beside_tuck(tuck: Array) -> Array:
-    """Return how much of a seal a tuck, 0..1, leaves, shape (n,): 1 − tuck⁴.
+    """Return how much of a seal a tuck, 0..1, leaves, shape (n,): 1 − tuck².
 
     When the lower lip leaves the teeth, the gap at first stays as wide. The seal must come at its own pace
     before the tuck has gone, or the gap would shut at one stroke with the last of it.

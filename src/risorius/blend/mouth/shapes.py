@@ -15,9 +15,9 @@ from ...core.parameters import INDEX, PARAMETERS, Kind
 from ...errors import InputError
 from .contact import CONTACTS
 
-ROUNDED, TONGUE = 0.02, 0.15
+ROUNDED, TONGUE = 0.02, 0.2
 """The share of a parameter's range over which it turns to an end of it; that of the tongue, which passes it
-within 10 ms."""
+within 15 ms."""
 
 
 class Shapes:

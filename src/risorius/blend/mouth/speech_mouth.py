@@ -17,7 +17,7 @@ from ...core.movement import LipSegment
 from ...core.parameters import RIVALS
 from ...core.utterance import SILENCE
 from ..intervals import EMPTY, Spans, above_line, spans_between, union
-from ..knots import BLOCK, STEEPEST, Knots, Neighbourhood, block_knots, block_number, envelope, parts
+from ..knots import BLOCK, STEEPEST, Knots, Neighbourhood, along, block_knots, block_number, envelope, parts
 from ..roots import find_roots
 from ..tuning import Tuning
 from .approach import Approach
@@ -125,7 +125,7 @@ class SpeechMouth:
 
     def own_at(self, name: str, times: Array) -> Array:
         """Return the segments' own curve of a parameter at sorted times, shape (n,), by straight lines."""
-        return self.interpolated(lambda block: block.own(name), times)
+        return self.interpolated(lambda block: block.own(name), times, np.interp)
 
     def speaking_at(self, times: Array) -> Array:
         """Return how much the mouth speaks at sorted times, 0..1, shape (n,)."""
@@ -147,12 +147,17 @@ class SpeechMouth:
         """Return how far the jaw may be open under the seals, at sorted times, shape (n,)."""
         return self.interpolated(KnotBlock.jaw_at_seal, times)
 
-    def interpolated(self, curve: Callable[[KnotBlock], Array], times: Array) -> Array:
+    def interpolated(
+        self,
+        curve: Callable[[KnotBlock], Array],
+        times: Array,
+        between: Callable[[Array, Array, Array], Array] = along,
+    ) -> Array:
         """Return at sorted times, shape (n,), a curve that is known on the knots of each block."""
         values = np.empty(len(times))
         for number, place in parts(times, BLOCK):
             block = self.block(number)
-            values[place] = np.interp(times[place], block.knots, curve(block))
+            values[place] = between(times[place], block.knots, curve(block))
         return values
 
     def block_at(self, time: float) -> KnotBlock:
@@ -200,8 +205,10 @@ class KnotBlock:
         self.knots = knots
         self._mouth = mouth
         self._goals = tuple(g for g in mouth.goals if g.start <= knots[-1] and g.end >= knots[0])
-        first = np.searchsorted(knots, [g.start for g in self._goals], side="left")
-        last = np.searchsorted(knots, [g.end for g in self._goals], side="right")
+        # One knot more to either side: between the knots curves turn about them (`along`).
+        first = np.searchsorted(knots, [g.start for g in self._goals], side="left") - 1
+        last = np.searchsorted(knots, [g.end for g in self._goals], side="right") + 1
+        first = np.maximum(first, 0)
         self._places = [slice(*ends) for ends in zip(first.tolist(), last.tolist(), strict=True)]
         self._averages = SegmentAverages(mouth.columns, knots)
         self._curves: dict[tuple[str, str], Array] = {}
