@@ -211,3 +211,15 @@ def test_single_precision_of_the_compliance_moves_no_point_by_a_hundred_thousand
     plate = response(head.quads, mouth.matrix, near)
     monkeypatch.setattr(solver._lips, "_compliance", plate.compliance)
     assert np.abs(solver.solve(values).skin - single).max() < 1e-5
+
+
+def test_corners_that_are_pushed_apart_do_not_move_the_middle_by_steps(solver, head):
+    """Two frames of a rounded "brother" that are 25 ms apart, 25 times as slowly."""
+    names = ("zygomatic_major", "orbicularis_oris_funneler", "masseter", "lip_seal")
+    start, end = (0.14, 0.72, 0.31, 0.76), (0.15, 0.72, 0.32, 0.73)
+    gauge, gaps = Gauge(head), []
+    for share in np.linspace(0.0, 1.0, 26):
+        pose = {name: a + (b - a) * share for name, a, b in zip(names, start, end, strict=True)}
+        gaps.append(gauge.measure(solver.solve(values_of(pose))).lip_gap_mm)
+    assert gaps[-1] - gaps[0] > 0.6
+    assert np.diff(gaps).max() < 0.1

@@ -97,25 +97,29 @@ class Lips:
             left = LEFT * min(max(1.0 - beyond / BEYOND, 0.0), 1.0) - APART * min(beyond, 0.0)
             opening = min((1.0 - seal) * WIDEST_MM + seal * SHUT, max(left, SHUT))
         apart = self._line.places(self._matrix.times(skin, self._points))
+        length = np.sqrt((apart * apart).sum(axis=1, keepdims=True))
+        left = np.minimum(length, opening)
+        apart *= left / np.maximum(length, PRESS)
+        open_by = np.clip(left / OPEN, 0.0, 1.0)
+        held = open_by * open_by * (3.0 - 2.0 * open_by)
         for passes_left in reversed(range(PASSES)):
             if not self._push_apart(skin, opening):
                 break
             if passes_left:
-                self._restore(skin, apart, opening)
+                self._restore(skin, apart, held)
                 self._matrix.times(skin, self._points)
 
-    def _restore(self, skin: Array, apart: Array, opening: float) -> None:
-        """Bring the places of the line that are open back to how far they were `apart` (s, 4), or may be.
+    def _restore(self, skin: Array, apart: Array, held: Array) -> None:
+        """Bring the places of the line back to how far they were `apart` (s, 4) by the shares `held` (s, 1).
 
         Lips that are pushed apart at the corners would else move at their middle, too, by some tenths of a
-        millimetre from frame to frame.
+        millimetre from frame to frame. What is left goes to `apart`: brought back by their share again and
+        again, places that are hardly open would be pushed into the other lip.
         """
-        length = np.sqrt((apart * apart).sum(axis=1, keepdims=True))
-        left = np.minimum(length, opening)
-        open_by = np.clip(left / OPEN, 0.0, 1.0)
         moved = self._line.places(self._matrix.times(skin, self._points))
-        moved -= apart * (left / np.maximum(length, PRESS))
-        self._line.move(skin, -moved * (open_by * open_by * (3.0 - 2.0 * open_by)))
+        way = (apart - moved) * held
+        self._line.move(skin, way)
+        np.add(moved, way, out=apart)
 
     def _tuck(self, skin: Array, tuck: float) -> None:
         """Move the lower lip to the upper teeth by the share `tuck`, and the upper lip away from it."""
