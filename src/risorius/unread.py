@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .core.setting import Row, Stage, rows
 from .errors import Place, UnreadError
 from .ports.formats import FileFormat, Need
-from .script import Script
 from .settings import Settings
-from .speech import LabelledRecording, Recording
+
+if TYPE_CHECKING:
+    from .script import Script
+    from .speech import LabelledRecording, Recording
 
 SHOWN = (Stage.HEAD, Stage.SHAPE, Stage.SKIN, Stage.APPEARANCE, Stage.PICTURE)
 
@@ -137,6 +139,8 @@ def refuse(settings: Settings, kind: InputKind, place: Place | None = None, **ar
 
 def refuse_unread(source: Script | Recording | LabelledRecording, settings: Settings) -> None:
     """Raise UnreadError for settings of a synthesized voice that a source has no use for."""
+    from .speech import LabelledRecording, Recording  # loaded already by what made the source
+
     if isinstance(source, Recording):
         refuse(settings, RECORDING, Place(str(source.audio)))
         if settings.language is not None and source.transcript is None and source.script is None:

@@ -49,3 +49,15 @@ def test_a_command_looks_for_garbage_seldom_and_not_at_its_end() -> None:
     objects, frozen = map(int, ended.stdout.split()[-2:])
     assert objects > 2_000
     assert frozen > 10_000
+
+
+def test_a_film_is_begun_without_what_speaks() -> None:
+    code = (
+        "import sys; from risorius import speaking; from risorius.cli import run;"
+        "speaking.speak_and_prepare = lambda *_: print(*sys.modules) or sys.exit();"
+        "run(['speak', 'Hi.', '-o', 'x.mp4'])"
+    )
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    loaded = set(ended.stdout.split())
+    assert "risorius.speaking" in loaded
+    assert not loaded & {"risorius.speech", "risorius.script", "risorius.blend", "risorius.face", "numpy"}
