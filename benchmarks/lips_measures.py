@@ -168,9 +168,13 @@ def measure(spoken: Spoken, display: str) -> Result:
     result.narrower_mm += (held[1] - rounded[:, 1]).tolist()
     result.further_mm += (rounded[:, 2] - held[2]).tolist()
     result.sibilant_jaw_mm += machine().mouth(both.at(spoken.middles(SIBILANTS)))[:, 3].tolist()
-    if abs(held[1] - rest[1]) > WIDENED_MM:
+    # What the jaw takes from the width goes with it: the jaw is speech's, and its gap is measured above.
+    shut = silent[len(silent) // 2 : len(silent) // 2 + 1].copy()
+    shut[:, INDEX["masseter"]] = 0.0
+    widened = machine().mouth(shut)[0, 1] - rest[1]
+    if abs(widened) > WIDENED_MM:
         result.widened_mm.append(float((mouth[talk, 1] - spoken.mouth[talk, 1]).mean()))
-        result.widened_silent_mm.append(float(held[1] - rest[1]))
+        result.widened_silent_mm.append(float(widened))
     result.upper_kept.append(float(np.minimum(values, silent)[np.ix_(talk, UPPER_FACE)].sum()))
     result.upper_whole.append(float(silent[np.ix_(talk, UPPER_FACE)].sum()))
     return result
