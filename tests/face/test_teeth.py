@@ -149,7 +149,9 @@ def test_the_lower_row_goes_with_the_jaw(teeth, head):
     closed, opened = inside[None].copy(), turned.copy()
     single.keep_out(closed, 0.0)
     single.keep_out(opened, 0.5)
-    assert closed[0, 2] > front[2]
+    assert (
+        closed[0, 2] > front[2] - PIERCED
+    )  # layers of skin keep their order, and the deepest gives way most
     np.testing.assert_allclose(Jaw.of(head).carry(closed, 0.5), opened, atol=1e-9)
 
 

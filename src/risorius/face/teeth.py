@@ -21,7 +21,7 @@ from .rotations import about_axis
 from .tooth_row import NONE, ROUNDING, ROW, ToothRow, column_of, look_up, sector_of
 
 CLEARANCE = 0.3  # mm of skin before the teeth's front
-LAYERS = 0.3  # mm of the clearance that the deepest skin gives up, so that layers keep their order
+LAYERS = 0.75  # mm that the deepest skin gives up, so that layers keep their order: half at 1 mm of depth
 BETWEEN = 0.1  # mm of skin before the teeth's front at the middle of a long edge
 LONG, SHORT = 5.0, 4.0  # mm of an edge: a longer one keeps the whole clearance, a shorter one needs none
 SPAN, SPAN_REACH = (
