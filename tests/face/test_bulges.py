@@ -8,7 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.face.bulges import TAKEN_UP, Bulges, bulge_height, bulges
+from risorius.face.head import load_head
 from risorius.face.marks import Marks
+from risorius.face.solve import FaceSolver
 
 from .conftest import values_of
 
@@ -82,3 +84,13 @@ def test_raised_inner_brows_leave_the_glabella_flat(lift, rest):
     root = (np.abs(rest[:, 0]) < 4.0) & (rest[:, 1] > -5.0) & (rest[:, 1] < 18.0) & (rest[:, 2] > 20.0)
     assert lift({"frontalis_medialis": 1.0})[root].max() < 0.05
     assert lift({"corrugator_supercilii": 1.0})[root].max() > 0.3
+
+
+def test_no_flesh_swells_into_an_eye():
+    head = load_head("mei")
+    solver, swollen = FaceSolver(head), np.zeros(head.skin.matrix.shape[0])
+    solver.solve(values_of(SWELL["glabella"]))
+    Bulges(head).lift(solver._skin, swollen)
+    rest = head.skin.matrix @ head.rest
+    for centre, radius in zip(head.eye_centre, head.eye_radius, strict=True):
+        assert swollen[np.linalg.norm(rest - centre, axis=1) - radius < 0.5].max() < 0.06

@@ -24,6 +24,7 @@ from .marks import Marks
 TABLE = "bulges.toml"
 # Loss of area that does not show yet: without it a bulge would begin abruptly.
 TAKEN_UP = 0.02
+OFF_EYE = 4.0  # mm over an eyeball within which less swells, down to nothing: flesh there would enter the eye
 _HIDDEN = ("lips", "inner_mouth", "lids", "ears", "garment")
 
 
@@ -74,6 +75,8 @@ def _swelling(head: Head) -> tuple[Array, Compression]:
     shown = np.ones(len(fine))
     for name in _HIDDEN:
         shown *= 1.0 - np.clip(head.skin.matrix @ head.masks[name], 0.0, 1.0)
+    for centre, radius in zip(head.eye_centre, head.eye_radius, strict=True):
+        shown *= np.clip((np.linalg.norm(fine - centre, axis=1) - radius) / OFF_EYE, 0.0, 1.0)
     zones = [Zone(_mask(b, marks, fine) * shown, _pull(b, head)) for b in bulges().values()]
     return np.concatenate([zone.mask[zone.mask > 0.0] for zone in zones]), Compression.of(head, zones)
 
