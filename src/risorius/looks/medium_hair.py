@@ -34,7 +34,7 @@ _SEED = 45
 _SHARE = 0.34  # longer hairs are drawn wider and in smaller number
 _SOFT = math.radians(3.0)  # how softly hair is held off the face
 _FINE = math.radians(-4.5), math.radians(1.5)  # where hairs that lie over the face's edge are finer: wisps
-_CROSSED = math.radians(1.5)  # how far a hair may lie over the face's edge
+_CROSSED = math.radians(0.8)  # how far a hair may lie over the face's edge
 # How far hair on the cheeks turns inwards and forwards, and by which share it is flatter.
 _INWARDS, _FORWARDS, _FLATTER = 0.45, 0.1, 0.7
 _LOCKS = 400
@@ -85,7 +85,7 @@ def _in_place(anatomy: Anatomy, curves: Array) -> Array:
 
     There, between single hairs, skin would shine through as specks.
     """
-    places = curves[:, ::3].reshape(-1, 3)
+    places = curves.reshape(-1, 3)
     angle, _, least = _around(anatomy, places)
     bare = angle < least - _CROSSED
     is_bare = bare.reshape(len(curves), -1).any(axis=1)

@@ -31,7 +31,7 @@ def near_whorl(anatomy: Anatomy, points: Array) -> Array:
 
 def beside_parting(anatomy: Anatomy, place: Array) -> Array:
     """Return by which share (S,) hair at places (S, 3) rises: it lies flat at the parting."""
-    return 0.22 + 0.78 * smoothstep(-6.0, 46.0, from_parting(anatomy, place)[1] / anatomy.unit)
+    return 0.12 + 0.88 * smoothstep(0.0, 70.0, from_parting(anatomy, place)[1] / anatomy.unit)
 
 
 def aside(anatomy: Anatomy, points: Array, normals: Array) -> Array:
