@@ -26,7 +26,7 @@ def started(monkeypatch, tmp_path):
     """The programs that are started, with nothing compiled, two processors and kernels that have changed."""
     found = []
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
-    monkeypatch.setattr(ahead, "processors", lambda: 2)
+    monkeypatch.setattr(ahead.processes, "processors", lambda: 2)
     monkeypatch.setattr(ahead.shipped, "covers", lambda _: False)
     monkeypatch.setattr(ahead, "_PAUSE", 0.0)
     monkeypatch.setattr(ahead.processes, "start", lambda *_, **__: found.append(Program()) or found[-1])
@@ -110,7 +110,7 @@ def test_what_is_compiled_is_not_compiled_again(started, announced):
 
 
 def test_one_processor_compiles_in_one_process(started, announced, monkeypatch):
-    monkeypatch.setattr(ahead, "processors", lambda: 1)
+    monkeypatch.setattr(ahead.processes, "processors", lambda: 1)
     first_picture("realistic", announced)
     assert started == []
     assert announced == ["realistic"]

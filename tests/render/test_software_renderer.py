@@ -185,7 +185,7 @@ def test_the_background_shows_where_nothing_stands(model, face):
 
 def test_a_row_has_room_for_a_patch_in_every_sample(head, model, face):
     """Among lashes seen close by, each sample may show a hair of its own."""
-    camera = frame_head(find_anatomy(head), 1.0, "eyes", 85.0)
+    camera = frame_head(find_anatomy(head), 1.0, "eyes", 120.0)
     renderer = SoftwareRenderer(model, (120, 120), camera=camera)
     renderer.render(face())
     shown = np.where(renderer._buffer.ids >= 0, renderer.scene.surfaces[renderer._buffer.ids], -1)
