@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import replace
 
 import numpy as np
@@ -13,14 +14,15 @@ from .strands import Strands, flat_ribbons
 
 
 class RidingHairs:
-    """The hairs on a model's face, for programs that move each vertex: ribbons as `HeadModel.parts` has them.
+    """Hairs on a model's face, for programs that move each vertex: ribbons as `HeadModel.parts` has them.
 
+    `names` are those parts of `FACIAL_HAIRS` that are wanted.
     Renderers that turn ribbons towards the camera follow the same frames of the roots (`render/ribbons.py`).
     """
 
-    def __init__(self, model: HeadModel) -> None:
+    def __init__(self, model: HeadModel, names: Collection[str] = FACIAL_HAIRS) -> None:
         self._rest: FloatArray = model.skin.points
-        hairs = {name: model.hairs[name] for name in FACIAL_HAIRS}
+        hairs = {name: model.hairs[name] for name in names}
         rooted = np.unique(np.concatenate([strands.roots.ravel() for strands in hairs.values()]))
         quads = model.head.skin.quads
         faces = quads[np.isin(quads, rooted).any(axis=1)]

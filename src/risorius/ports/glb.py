@@ -20,7 +20,7 @@ from ..core.arrays import Array, Float32Array
 from ..face.frame import FaceFrame
 from ..face.head import Head
 from ..face.shapes import ArkitShapes, arkit_shapes
-from ..looks.head_model import FACIAL_HAIRS, head_model
+from ..looks.head_model import head_model
 from ..looks.parts import Part
 from ..looks.riding import RidingHairs
 from .basis import ClipBasis
@@ -31,7 +31,8 @@ from .writable import WritableTake, WriteOptions
 
 GENERATOR = "Risorius"
 _SMALL = 1e-3  # mm: displacements below it are none
-_MOVED = ("skin", "tongue", "teeth_lower", *FACIAL_HAIRS)
+_SHOWN = ("skin", "tongue", "teeth_lower", "lashes")
+"""Parts whose points in each frame make a clip's shapes. Brows turn little: they follow the skin's shapes."""
 
 
 def write_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
@@ -41,19 +42,19 @@ def write_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
     if len(take.performance.values) <= 2 and take.audio is None:
         still(head, parts, next(take.faces(progress=options.progress)), _asset(options)).save(path)
         return
-    hairs = RidingHairs(head_model(head))
-    rest = np.concatenate([parts[name].points for name in _MOVED])
+    lashes, brows = (RidingHairs(head_model(head), (name,)) for name in ("lashes", "brows"))
+    rest = np.concatenate([parts[name].points for name in _SHOWN])
     basis, turns = ClipBasis(rest), Turns()
     for frame in take.faces(progress=options.progress):
-        grown = hairs.points(frame.skin.astype(np.float64)).values()
+        grown = lashes.points(frame.skin.astype(np.float64)).values()
         basis.show(np.concatenate([frame.skin, frame.tongue, frame.teeth_lower, *grown]))
         turns.append(frame)
     shapes, weights = basis.finish()
     rms, worst = basis.residual
     gltf = Gltf(**_asset(options, residual_rms_mm=round(rms, 4), residual_worst_mm=round(worst, 4)))
-    cuts = np.cumsum([len(parts[name].points) for name in _MOVED])[:-1]
+    cuts = np.cumsum([len(parts[name].points) for name in _SHOWN])[:-1]
     moving = {
-        f"clip_{number:02d}": _large(dict(zip(_MOVED, np.split(shape, cuts), strict=True)))
+        f"clip_{number:02d}": _moves(brows, dict(zip(_SHOWN, np.split(shape, cuts), strict=True)))
         for number, shape in enumerate(shapes)
     }
     scene = GlbScene(head, gltf, parts, moving)
@@ -135,11 +136,8 @@ def animate(scene: GlbScene, times: Array, weights: Mapping[str, Array], turns: 
 
 def _moves(hairs: RidingHairs, moved: Mapping[str, Array]) -> dict[str, Array]:
     """Return displacements by part: those given, and of the hairs on the skin; none for what stays."""
-    return _large({**moved, **hairs.moves(moved["skin"])})
-
-
-def _large(moves: Mapping[str, Array]) -> dict[str, Array]:
-    return {name: move for name, move in moves.items() if np.abs(move).max() > _SMALL}
+    everything = {**moved, **hairs.moves(moved["skin"])}
+    return {name: move for name, move in everything.items() if np.abs(move).max() > _SMALL}
 
 
 def _shape(shapes: ArkitShapes, index: int) -> dict[str, Array]:
