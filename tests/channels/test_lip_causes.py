@@ -170,3 +170,15 @@ def _check_corners(plan: blend.Plan, names: tuple[str, ...]) -> None:
         curves = plan.at(np.arange(0.0, plan.score.duration, 1.0 / fps))[:, columns]
         bends.append(np.abs(np.diff(curves, 2, axis=0)).max(axis=0))
     assert (bends[0] >= 8.0 * bends[1]).all(), dict(zip(names, zip(*bends, strict=True), strict=True))
+
+
+def test_a_dropped_jaw_gives_way_to_rounded_lips() -> None:
+    """Lips that reach for each other over a low jaw would hang: an M for an upper edge."""
+    script = read_script("Who knew you would show up too?", text=True)
+    utterance = say(script)
+    score = compose(script, utterance, (Display("surprise", 1.0),), Settings(seed=1))
+    middles = np.array([(p.start + p.end) / 2.0 for p in utterance.phones if p.symbol in ("UW", "OW")])
+    values = blend.at(score, middles, load_lip_rig())
+    assert len(middles) >= 4
+    assert values[:, INDEX["masseter"]].max() < 0.23
+    assert values[:, INDEX["lip_seal"]].max() < 0.9
