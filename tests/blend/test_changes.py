@@ -119,3 +119,15 @@ def test_layers_of_the_same_movements_are_shared_and_no_others():
             assert (moved.layers.of(channel)[key] is layer) is not changed
     other = replace(plan.score, settings=replace(plan.score.settings, onset_function="linear"))
     assert Plan(other, like=plan).layers.of("emotion").values() != plan.layers.of("emotion").values()
+
+
+def test_what_speech_leaves_of_a_request_goes_with_the_request():
+    closed = {"masseter": (0.0, 0.05)}
+    lips = tuple(LipSegment("BA"[k % 2], 0.2 * k, 0.2 * k + 0.2, {}, [closed, {}][k % 2]) for k in range(10))
+    less, more = (
+        Score(2.0, (Movement("emotion", 0.0, 2.0, 0.1, 0.1, {"masseter": jaw}),), lips) for jaw in (0.2, 0.9)
+    )
+    times = np.arange(0.0, 2.0, 0.01)
+    before = Plan(less)
+    before.at(times)
+    np.testing.assert_array_equal(Plan(more, None, before).at(times), Plan(more).at(times))

@@ -73,8 +73,9 @@ class SpeechLimits:
 
     def _share_of(self, block: KnotBlock, channel: Channel, name: str) -> Array:
         """Return the share of its request that a channel gets, at a block's knots."""
-        key = (channel.key, name)
-        if key not in block.shares:
+        # A plan beside an earlier one has the same block, but perhaps other channels.
+        shares, key = block.shares.setdefault(self, {}), (channel.key, name)
+        if key not in shares:
             knots, tuning = block.knots, self.mouth.tuning
             requested = np.zeros(len(knots))
             index, values = channel.sample(name, knots)
@@ -90,5 +91,5 @@ class SpeechLimits:
                 share = around.lowest(share)
                 share = eased(clock, share, tuning.min_onset[name], tuning.min_offset[name])
                 share = around.average(share)
-            block.shares[key] = share
-        return block.shares[key]
+            shares[key] = share
+        return shares[key]

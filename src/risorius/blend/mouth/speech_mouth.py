@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache, cached_property, lru_cache, partial
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -197,8 +198,8 @@ class SpeechMouth:
 class KnotBlock:
     """The knots of one block of time, shape (n,), and curves on them, computed when first needed.
 
-    `shares`: the share of its request that each channel gets of each parameter (`limits`). `around`: the
-    so many seconds around each knot.
+    `shares`: by the limits of each plan, the share of its request that each channel gets of each parameter
+    (`limits`); they go with their plan. `around`: the so many seconds around each knot.
     """
 
     def __init__(self, mouth: SpeechMouth, knots: Array) -> None:
@@ -212,7 +213,7 @@ class KnotBlock:
         self._places = [slice(*ends) for ends in zip(first.tolist(), last.tolist(), strict=True)]
         self._averages = SegmentAverages(mouth.columns, knots)
         self._curves: dict[tuple[str, str], Array] = {}
-        self.shares: dict[tuple[str, str], Array] = {}
+        self.shares: WeakKeyDictionary[object, dict[tuple[str, str], Array]] = WeakKeyDictionary()
         self.around: Callable[[float], Neighbourhood] = cache(partial(Neighbourhood, knots))
 
     def above(self, name: str, threshold: float) -> Spans:
