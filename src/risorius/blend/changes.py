@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-import numpy as np
-
 from ..core.performance import Performance
 from .channels import Channel
 from .curve import Curve
@@ -43,19 +41,13 @@ def changed_span(before: Plan, after: Plan) -> TimeSpan | None:
     spans: list[TimeSpan] = []
     for name in channels[0].keys() | channels[1].keys():
         one, two = (by_name.get(name) for by_name in channels)
-        if one is not None and two is not None and not _ranked_alike(one, two):
+        if one is not None and two is not None and not one.levels.equal(two.levels):
             return None
         spans += _spans(one, two)
     if not spans:
         return 0.0, 0.0
     reach = _reach(before, after)
     return min(start for start, _ in spans) - reach, max(end for _, end in spans) + reach
-
-
-def _ranked_alike(one: Channel, two: Channel) -> bool:
-    return np.array_equal(one.levels.times, two.levels.times) and np.array_equal(
-        one.levels.values, two.levels.values
-    )
 
 
 def _spans(one: Channel | None, two: Channel | None) -> Iterator[TimeSpan]:

@@ -46,6 +46,10 @@ class Levels:
         """All priorities, highest first."""
         return tuple(float(v) for v in np.unique(self.values)[::-1])
 
+    def equal(self, other: Levels) -> bool:
+        """Return whether others are the same priorities at the same times."""
+        return np.array_equal(self.times, other.times) and np.array_equal(self.values, other.values)
+
     def at(self, times: Array) -> Array:
         """Return the priority at each time, shape (n,)."""
         return self.values[np.searchsorted(self.times, times, side="right") - 1]

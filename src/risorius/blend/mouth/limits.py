@@ -14,7 +14,7 @@ from ..channels import Channel
 from ..intervals import EMPTY, Spans
 from ..knots import eased, paced
 from ..levels import Levels, outranking, outranks
-from .speech_mouth import JAW, ROUNDED, KnotBlock, SpeechMouth
+from .speech_mouth import JAW, ROUNDED, KnotBlock, RequestShare, SpeechMouth
 
 LIPS = "lips"
 
@@ -73,23 +73,27 @@ class SpeechLimits:
 
     def _share_of(self, block: KnotBlock, channel: Channel, name: str) -> Array:
         """Return the share of its request that a channel gets, at a block's knots."""
-        # A plan beside an earlier one has the same block, but perhaps other channels.
-        shares, key = block.shares.setdefault(self, {}), (channel.key, name)
-        if key not in shares:
-            knots, tuning = block.knots, self.mouth.tuning
-            requested = np.zeros(len(knots))
-            index, values = channel.sample(name, knots)
-            requested[index] = values
-            limit = self._freed(channel, knots, block.limit(name), block.closures(name))
-            if name == JAW:
-                speech = block.own(name)
-                requested *= self.jaw_share(channel, knots, speech)
-                limit = np.maximum(limit - speech, 0.0)
-            share = np.divide(limit, requested, out=np.ones(len(knots)), where=requested > limit)
-            if (share < 1.0).any():
-                around, clock = block.around(ROUNDED), paced(knots, requested)
-                share = around.lowest(share)
-                share = eased(clock, share, tuning.min_onset[name], tuning.min_offset[name])
-                share = around.average(share)
-            shares[key] = share
-        return shares[key]
+        key, curves, levels = (channel.key, name), channel.curves[name], (channel.levels, self._lips)
+        known = block.shares.get(key)
+        if known is None or not known.serves(curves, levels):
+            values = self._computed_share(block, channel, name)
+            known = block.shares[key] = RequestShare(tuple(curves), levels, values)
+        return known.values
+
+    def _computed_share(self, block: KnotBlock, channel: Channel, name: str) -> Array:
+        knots, tuning = block.knots, self.mouth.tuning
+        requested = np.zeros(len(knots))
+        index, values = channel.sample(name, knots)
+        requested[index] = values
+        limit = self._freed(channel, knots, block.limit(name), block.closures(name))
+        if name == JAW:
+            speech = block.own(name)
+            requested *= self.jaw_share(channel, knots, speech)
+            limit = np.maximum(limit - speech, 0.0)
+        share = np.divide(limit, requested, out=np.ones(len(knots)), where=requested > limit)
+        if (share < 1.0).any():
+            around, clock = block.around(ROUNDED), paced(knots, requested)
+            share = around.lowest(share)
+            share = eased(clock, share, tuning.min_onset[name], tuning.min_offset[name])
+            share = around.average(share)
+        return share

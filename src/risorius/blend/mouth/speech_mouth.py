@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache, cached_property, lru_cache, partial
-from weakref import WeakKeyDictionary
+from operator import is_
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,6 +20,7 @@ from ...core.parameters import RIVALS
 from ...core.utterance import SILENCE
 from ..intervals import EMPTY, Spans, above_line, spans_between, union
 from ..knots import BLOCK, STEEPEST, Knots, Neighbourhood, along, block_knots, block_number, envelope, parts
+from ..levels import Levels
 from ..roots import find_roots
 from ..tuning import Tuning
 from .approach import Approach
@@ -195,11 +197,28 @@ class SpeechMouth:
         return KnotBlock(self, block_knots(self._knots, number, min(self._margin, BLOCK)))
 
 
+class RequestShare(NamedTuple):
+    """The share of its request that a channel gets of a parameter at a block's knots: `values` (n,).
+
+    Of which request it is, `curves` tell, and the priorities of the channel and of speech, `levels`. A plan
+    beside an earlier one has the same block, but perhaps other channels.
+    """
+
+    curves: tuple[object, ...]
+    levels: tuple[Levels, Levels]
+    values: Array
+
+    def serves(self, curves: Sequence[object], levels: tuple[Levels, Levels]) -> bool:
+        """Return whether it is the share of these curves with these priorities."""
+        alike = len(curves) == len(self.curves) and all(map(is_, curves, self.curves))
+        return alike and all(map(Levels.equal, self.levels, levels))
+
+
 class KnotBlock:
     """The knots of one block of time, shape (n,), and curves on them, computed when first needed.
 
-    `shares`: by the limits of each plan, the share of its request that each channel gets of each parameter
-    (`limits`); they go with their plan. `around`: the so many seconds around each knot.
+    `shares`: the share of its request that each channel gets of each parameter (`limits`). `around`: the
+    so many seconds around each knot.
     """
 
     def __init__(self, mouth: SpeechMouth, knots: Array) -> None:
@@ -213,7 +232,7 @@ class KnotBlock:
         self._places = [slice(*ends) for ends in zip(first.tolist(), last.tolist(), strict=True)]
         self._averages = SegmentAverages(mouth.columns, knots)
         self._curves: dict[tuple[str, str], Array] = {}
-        self.shares: WeakKeyDictionary[object, dict[tuple[str, str], Array]] = WeakKeyDictionary()
+        self.shares: dict[tuple[str, str], RequestShare] = {}
         self.around: Callable[[float], Neighbourhood] = cache(partial(Neighbourhood, knots))
 
     def above(self, name: str, threshold: float) -> Spans:
