@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 from collections.abc import Callable
+from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
@@ -30,13 +31,14 @@ def started(monkeypatch: pytest.MonkeyPatch) -> list[subprocess.Popen[bytes]]:
     """The processes that speak."""
     begun: list[subprocess.Popen[bytes]] = []
 
-    def start(*arguments: Any, **options: Any) -> subprocess.Popen[bytes]:
-        begun.append(processes.start(*arguments, **options))
-        return begun[-1]
+    def start_connected(*arguments: Any, **options: Any) -> tuple[subprocess.Popen[bytes], Connection]:
+        process, connection = processes.start_connected(*arguments, **options)
+        begun.append(process)
+        return process, connection
 
     monkeypatch.setenv("RISORIUS_THREADS", "")
     monkeypatch.setattr(os, "sched_getaffinity", lambda _: {0, 1}, raising=False)
-    monkeypatch.setattr(speaking, "start", start)
+    monkeypatch.setattr(speaking, "start_connected", start_connected)
     return begun
 
 

@@ -9,16 +9,15 @@ from __future__ import annotations
 
 import contextlib
 import signal
-import socket
-import subprocess
 import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from multiprocessing.connection import Connection
+from subprocess import DEVNULL
 from typing import TYPE_CHECKING, Any
 
 from .core.garbage import collect_no_more, collect_seldom
-from .core.processes import LOOK, SilentError, Watch, processors, start
+from .core.processes import LOOK, SilentError, Watch, disconnect, processors, start_connected
 from .errors import RisoriusError, warn, warnings_to
 
 if TYPE_CHECKING:
@@ -99,17 +98,7 @@ class _Speaker:
     def __init__(self, arguments: Mapping[str, Any], progress: Progress) -> None:
         self._progress = progress
         self._answer: Take | RisoriusError | None = None
-        ours, theirs = socket.socketpair()
-        with theirs:
-            self._process = start(
-                _PROGRAM,
-                str(theirs.fileno()),
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.DEVNULL,
-                pass_fds=[theirs.fileno()],
-            )
-        self._connection = Connection(ours.detach())
+        self._process, self._connection = start_connected(_PROGRAM, stdout=DEVNULL, stderr=DEVNULL)
         self._connection.send(arguments)
 
     def listen(self) -> None:
@@ -155,11 +144,7 @@ class _Speaker:
         return self
 
     def __exit__(self, *_: object) -> None:
-        self._connection.close()
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            self._process.wait(timeout=LOOK if self._answer is not None else 0.0)
-        self._process.kill()
-        self._process.wait()
+        disconnect(self._process, self._connection, LOOK if self._answer is not None else 0.0)
 
 
 def _answers(connection: Connection) -> None:

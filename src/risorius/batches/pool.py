@@ -8,17 +8,15 @@ from __future__ import annotations
 
 import contextlib
 import os
-import socket
-import subprocess
 import threading
 import time
 from collections import deque
 from collections.abc import Iterator
 from dataclasses import dataclass
-from multiprocessing.connection import Connection, wait
+from multiprocessing.connection import wait
 from typing import Any
 
-from ..core.processes import LOOK, SilentError, Watch, start
+from ..core.processes import LOOK, SilentError, Watch, disconnect, start_connected
 from ..errors import RisoriusError
 from .worker import READY
 
@@ -47,17 +45,8 @@ class _Worker:
     """One process and the request that it is at; it has `threads` to draw with, and one for all else."""
 
     def __init__(self, task: str, threads: int) -> None:
-        ours, theirs = socket.socketpair()
-        with theirs:
-            self.process = start(
-                _PROGRAM,
-                str(theirs.fileno()),
-                task,
-                variables=dict.fromkeys(_THREADS, "1") | {"RISORIUS_THREADS": str(threads)},
-                stdin=subprocess.DEVNULL,
-                pass_fds=[theirs.fileno()],
-            )
-        self.connection = Connection(ours.detach())
+        variables = dict.fromkeys(_THREADS, "1") | {"RISORIUS_THREADS": str(threads)}
+        self.process, self.connection = start_connected(_PROGRAM, task, variables=variables)
         self._watch, self._looked = Watch(self.process.pid), time.monotonic()
         self.request: _Request | None = None
         self.ready = False
@@ -82,11 +71,7 @@ class _Worker:
 
     def end(self, patience: float = 0.0) -> str:
         """End the process, unless it does within seconds of `patience`; return how it ended."""
-        self.connection.close()
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            self.process.wait(timeout=patience)
-        self.process.kill()
-        code = self.process.wait()
+        code = disconnect(self.process, self.connection, patience)
         return f"signal {-code}" if code < 0 else f"exit code {code}"
 
     def close(self) -> None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 import contextlib
 import os
 import signal
+import socket
 import subprocess
 import sys
 import tempfile
@@ -14,9 +15,12 @@ import threading
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, Any
+from typing import IO, TYPE_CHECKING, Any
 
 from .frozen import FrozenDict
+
+if TYPE_CHECKING:
+    from multiprocessing.connection import Connection
 
 LOOK = 0.5  # s between two looks at a process that does not answer
 _STOPPED = 4  # looks at which it stands still in succession: then nobody continues it
@@ -63,6 +67,37 @@ def start(
     paths = os.pathsep.join([*(entry for entry in sys.path if entry), str(Path(__file__).parents[2])])
     command = [sys.executable, "-P", "-m", module, *arguments]
     return subprocess.Popen(command, env={**os.environ, **variables, "PYTHONPATH": paths}, **options)
+
+
+def start_connected(
+    module: str, *arguments: str, **options: Any
+) -> tuple[subprocess.Popen[bytes], Connection]:
+    """Start a module as `start` does, with the number of a socket as its first argument.
+
+    Returned are the process and the connection to it. Raises ValueError where no process inherits a socket.
+    """
+    from multiprocessing.connection import Connection
+
+    ours, theirs = socket.socketpair()
+    with theirs:
+        process = start(
+            module,
+            str(theirs.fileno()),
+            *arguments,
+            stdin=subprocess.DEVNULL,
+            pass_fds=[theirs.fileno()],
+            **options,
+        )
+    return process, Connection(ours.detach())
+
+
+def disconnect(process: subprocess.Popen[bytes], connection: Connection, seconds: float) -> int:
+    """End a process that has a connection, unless it ends within `seconds`; return its exit status."""
+    connection.close()
+    with contextlib.suppress(subprocess.TimeoutExpired):
+        process.wait(timeout=seconds)
+    process.kill()
+    return process.wait()
 
 
 def patience(pid: int, seconds: float) -> Iterator[float]:

@@ -9,15 +9,12 @@ from __future__ import annotations
 import atexit
 import contextlib
 import os
-import socket
-import subprocess
 import threading
 from collections.abc import Callable, Sequence
-from multiprocessing.connection import Connection
 from typing import Any, TypeVar
 from weakref import WeakSet
 
-from ..core.processes import LOOK, SilentError, patience, start
+from ..core.processes import LOOK, SilentError, disconnect, patience, start_connected
 from ..errors import RisoriusError
 from ..rules.emotions import Displays
 from ..settings import Settings
@@ -46,16 +43,8 @@ class PerformerProcess:
     """A process that performs one request after the other; it loads what it needs while others perform."""
 
     def __init__(self) -> None:
-        ours, theirs = socket.socketpair()
-        with theirs:
-            self._process = start(
-                _PROGRAM,
-                str(theirs.fileno()),
-                variables=dict.fromkeys(_THREADS, "1"),
-                stdin=subprocess.DEVNULL,
-                pass_fds=[theirs.fileno()],
-            )
-        self._connection = Connection(ours.detach())
+        variables = dict.fromkeys(_THREADS, "1")
+        self._process, self._connection = start_connected(_PROGRAM, variables=variables)
         self._lock = threading.Lock()
         self._ready = self._lost = False
         atexit.register(self.close)
@@ -100,11 +89,7 @@ class PerformerProcess:
         """End it."""
         self._lost = True
         atexit.unregister(self.close)
-        self._connection.close()
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            self._process.wait(timeout=LOOK if self._ready else 0.0)
-        self._process.kill()
-        self._process.wait()
+        disconnect(self._process, self._connection, LOOK if self._ready else 0.0)
 
 
 class PerformerBeside:
