@@ -59,7 +59,7 @@ class Looks:
     flush: Annotated[float, Range(0.0, 2.0)] = 1.0
     beard: Share = 0.0
     hairs: Annotated[int, Range(100, 40_000)] = 8500
-    brow_hairs: Annotated[int, Range(20, 2000)] = 360
+    brow_hairs: Annotated[int, Range(20, 2000)] = 306
 
 
 @dataclass(frozen=True, slots=True)

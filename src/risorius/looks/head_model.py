@@ -20,7 +20,6 @@ from .srgb import linear
 from .strands import Strands, thinned
 from .surface import Surface
 
-_FINE_BROWS = 0.85  # of the hairs of brows, those that are drawn: what lies under them has their colour
 FACIAL_HAIRS = ("brows", "lashes")
 """The hairs that move with the face; they stand first among a model's hairs."""
 
@@ -65,7 +64,7 @@ def _made(head: Head, looks: Looks) -> HeadModel:
     surface = skin_surface(head, anatomy)
     hair, brows, skin = linear(looks.hair), linear(looks.brows or looks.hair), linear(looks.skin)
     grey = {"hair": looks.grey, "hairline": looks.grey, "brows": 0.6 * looks.grey**2, "lashes": 0.0}
-    ground, fewer = grown_on(anatomy, surface), round(_FINE_BROWS * looks.brow_hairs)
+    ground = grown_on(anatomy, surface)
     solids = [
         skin_part(
             head,
@@ -83,8 +82,8 @@ def _made(head: Head, looks: Looks) -> HeadModel:
     hairs = {
         "brows": kept_hairs(
             "brows",
-            [*ground, brows, skin, fewer],
-            lambda: grow_brows(anatomy, surface, brows, skin, fewer),
+            [*ground, brows, skin, looks.brow_hairs],
+            lambda: grow_brows(anatomy, surface, brows, skin, looks.brow_hairs),
         ),
         "lashes": kept_hairs(
             "lashes",
