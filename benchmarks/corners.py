@@ -18,8 +18,9 @@ from typing import NamedTuple
 import numpy as np
 
 from risorius import blend
+from risorius.blend.rounding import is_quick
 from risorius.channels import Display
-from risorius.core.parameters import NAMES, PARAMETERS, Kind
+from risorius.core.parameters import NAMES
 from risorius.face.lip_file import load_lip_rig
 from risorius.pipeline import compose
 from risorius.script import read_script
@@ -33,7 +34,7 @@ FIRST, SECOND = 3.0, 8.0
 STILL = 1e-5
 """A curve whose second differences are smaller is at rest."""
 COARSE, FINE, FINEST = 100, 400, 1600
-QUICK = frozenset(p.name for p in PARAMETERS if p.group == "lids" or p.kind in (Kind.GAZE, Kind.DISTANCE))
+QUICK = frozenset(filter(is_quick, NAMES))
 """Parameters that are sampled four times as often as the others."""
 
 

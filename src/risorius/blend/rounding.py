@@ -29,6 +29,12 @@ QUICK = 0.25
 """The share of the time over which lids and eyes are rounded: their fastest movements take some 30 ms."""
 
 
+def is_quick(name: str) -> bool:
+    """Return whether a parameter is one of the lids or eyes."""
+    parameter = PARAMETERS[INDEX[name]]
+    return parameter.group == "lids" or parameter.kind in (Kind.GAZE, Kind.DISTANCE)
+
+
 class Rounding:
     """Over which time each parameter of a score is averaged, and where it is left as it is."""
 
@@ -38,11 +44,9 @@ class Rounding:
 
     def width(self, name: str) -> float:
         """Return the seconds over which a parameter is averaged; 0: it is not."""
-        parameter = PARAMETERS[INDEX[name]]
-        if parameter.kind is Kind.TONGUE:
+        if PARAMETERS[INDEX[name]].kind is Kind.TONGUE:
             return 0.0  # speech alone moves it: nothing switches
-        quick = parameter.group == "lids" or parameter.kind in (Kind.GAZE, Kind.DISTANCE)
-        return self._width * QUICK if quick else self._width
+        return self._width * QUICK if is_quick(name) else self._width
 
     def even(self, name: str) -> bool:
         """Return whether all that is read around a moment counts alike (`Surroundings`).

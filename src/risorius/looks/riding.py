@@ -16,8 +16,8 @@ from .strands import Strands, flat_ribbons
 class RidingHairs:
     """Hairs on a model's face, for programs that move each vertex: ribbons as `HeadModel.parts` has them.
 
-    `names` are those parts of `FACIAL_HAIRS` that are wanted.
-    Renderers that turn ribbons towards the camera follow the same frames of the roots (`render/ribbons.py`).
+    `names` are those parts of `FACIAL_HAIRS` that are wanted. Renderers that turn ribbons towards the camera
+    follow the same frames of the roots (`render/ribbons.py`).
     """
 
     def __init__(self, model: HeadModel, names: Collection[str] = FACIAL_HAIRS) -> None:

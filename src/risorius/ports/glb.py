@@ -38,11 +38,12 @@ _SHOWN = ("skin", "tongue", "teeth_lower", "lashes")
 def write_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
     """Write the clip by its own basis, or one frame as a still."""
     head = take.shown_head
-    parts = head_model(head).parts()
+    model = head_model(head)
+    parts = model.parts()
     if len(take.performance.values) <= 2 and take.audio is None:
         still(head, parts, next(take.faces(progress=options.progress)), _asset(options)).save(path)
         return
-    lashes, brows = (RidingHairs(head_model(head), (name,)) for name in ("lashes", "brows"))
+    lashes, brows = (RidingHairs(model, (name,)) for name in ("lashes", "brows"))
     rest = np.concatenate([parts[name].points for name in _SHOWN])
     basis, turns = ClipBasis(rest), Turns()
     for frame in take.faces(progress=options.progress):

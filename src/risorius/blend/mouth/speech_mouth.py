@@ -1,8 +1,8 @@
 """The mouth as speech needs it: the segments' own curves, and their limits on other channels.
 
 All curves are computed on knots: times that divide every segment evenly, at most `STEP` apart, so that the
-results do not depend on the frame rate and move with the segments. Between knots the curves are straight
-lines. Knots are computed in blocks of time, so that memory does not grow with the score.
+results do not depend on the frame rate and move with the segments. Between knots limits turn without
+corners (`along`). Knots are computed in blocks of time, so that memory does not grow with the score.
 """
 
 from __future__ import annotations
