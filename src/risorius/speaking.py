@@ -17,7 +17,7 @@ from subprocess import DEVNULL
 from typing import TYPE_CHECKING, Any
 
 from .core.garbage import collect_no_more, collect_seldom
-from .core.processes import LOOK, SilentError, Watch, disconnect, processors, start_connected
+from .core.processes import LOOK, SilentError, Watch, end_connected, processors, start_connected
 from .errors import RisoriusError, warn, warnings_to
 
 if TYPE_CHECKING:
@@ -144,7 +144,7 @@ class _Speaker:
         return self
 
     def __exit__(self, *_: object) -> None:
-        disconnect(self._process, self._connection, LOOK if self._answer is not None else 0.0)
+        end_connected(self._process, self._connection, LOOK if self._answer is not None else 0.0)
 
 
 def _answers(connection: Connection) -> None:

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from multiprocessing.connection import wait
 from typing import Any
 
-from ..core.processes import LOOK, SilentError, Watch, disconnect, start_connected
+from ..core.processes import LOOK, SilentError, Watch, end_connected, start_connected
 from ..errors import RisoriusError
 from .worker import READY
 
@@ -71,7 +71,7 @@ class _Worker:
 
     def end(self, patience: float = 0.0) -> str:
         """End the process, unless it does within seconds of `patience`; return how it ended."""
-        code = disconnect(self.process, self.connection, patience)
+        code = end_connected(self.process, self.connection, patience)
         return f"signal {-code}" if code < 0 else f"exit code {code}"
 
     def close(self) -> None:

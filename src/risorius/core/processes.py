@@ -91,7 +91,7 @@ def start_connected(
     return process, Connection(ours.detach())
 
 
-def disconnect(process: subprocess.Popen[bytes], connection: Connection, seconds: float) -> int:
+def end_connected(process: subprocess.Popen[bytes], connection: Connection, seconds: float) -> int:
     """End a process that has a connection, unless it ends within `seconds`; return its exit status."""
     connection.close()
     with contextlib.suppress(subprocess.TimeoutExpired):

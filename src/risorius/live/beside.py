@@ -14,7 +14,7 @@ from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 from weakref import WeakSet
 
-from ..core.processes import LOOK, SilentError, disconnect, patience, start_connected
+from ..core.processes import LOOK, SilentError, end_connected, patience, start_connected
 from ..errors import RisoriusError
 from ..rules.emotions import Displays
 from ..settings import Settings
@@ -89,7 +89,7 @@ class PerformerProcess:
         """End it."""
         self._lost = True
         atexit.unregister(self.close)
-        disconnect(self._process, self._connection, LOOK if self._ready else 0.0)
+        end_connected(self._process, self._connection, LOOK if self._ready else 0.0)
 
 
 class PerformerBeside:
