@@ -13,8 +13,12 @@ from ..core.articulators import PROTRUSION, within_range
 from ..core.frozen import FrozenDict
 from ..core.units import Share
 from ..errors import InputError, ParameterError, unknown
+from ..languages.phones import check_phones
+from ..languages.phonesets import IPA
 from .lips import LipTargets, PhoneShape, check_shape, lip_table
 from .load import load
+
+TABLE = "articulation.toml"
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,6 +133,13 @@ class Articulation:
                 yield text[at : at + size], text[at + size : end]
             at = end
 
+    def has(self, symbol: str) -> bool:
+        """Tell whether all letters of an IPA symbol are in the table."""
+        try:
+            return any(True for _ in self.letters(symbol))
+        except ParameterError:
+            return False
+
     def is_letter(self, text: str) -> bool:
         """Tell whether `text` is one letter, or two that are one sound."""
         return text in self.vowel or text in self.consonant
@@ -193,8 +204,10 @@ def _sum(parts: list[LipTargets]) -> dict[str, float]:
 
 @cache
 def articulation() -> Articulation:
-    """Return the package's table."""
-    return load(Articulation, "articulation.toml")
+    """Return the package's table; raise InputError if it lacks a phone."""
+    table = load(Articulation, TABLE)
+    check_phones(TABLE, (phone for phone, ipa in IPA.items() if table.has(ipa)))
+    return table
 
 
 @cache

@@ -17,6 +17,7 @@ from ..core.schema import build
 from ..core.source_text import SourceText
 from ..core.units import Share
 from ..errors import InputError, ParameterError, unknown
+from ..languages.phones import check_phones
 from .load import DATA, load
 
 Weights = Mapping[str, Annotated[float, Range(0.0, 100.0)]]
@@ -240,8 +241,10 @@ def manners() -> tuple[str, ...]:
 
 @lru_cache(maxsize=1)
 def lip_table() -> LipTable:
-    """Return the package's table; raise InputError if its names do not fit together."""
-    return _compiled(load(_File, LIPS_FILE))
+    """Return the package's table; raise InputError if its names do not fit or it lacks a phone."""
+    table = _compiled(load(_File, LIPS_FILE))
+    check_phones(LIPS_FILE, (*table.phones, *table.diphthongs))
+    return table
 
 
 def lip_table_text() -> str:

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from ..errors import InputError, Place, unknown
+from ..languages import phonesets
 from .notation import Item
 from .quote import quoted
 
@@ -29,9 +30,6 @@ CODES: dict[str, tuple[str, ...]] = {
     "zh": ("ZH",), "ch": ("CH",), "jh": ("JH",),
 }  # fmt: skip
 SILENCE = "_"
-_VOWELS = frozenset(
-    {"AA", "AE", "AH", "AO", "AW", "AY", "EH", "ER", "EY", "IH", "IY", "OW", "OY", "UH", "UW"}
-)
 # ARPAbet's stress digits by DECtalk's marks: primary, secondary, emphatic.
 _STRESS = {"'": "1", "`": "2", '"': "1"}
 _DURATION = re.compile(r"<([^<>]*+)(>?)")
@@ -103,10 +101,10 @@ def _read(reading: _Reading) -> Iterator[Dictated]:
             yield Dictated("", seconds)
             continue
         phones = CODES[code]
-        if stress != "0" and not _VOWELS & set(phones):
+        if stress != "0" and not phonesets.VOWELS & set(phones):
             raise InputError(
                 f"a stress mark before '{code}', which is not a vowel; expected it before one", place
             )
         share = None if seconds is None else seconds / len(phones)
         for phone in phones:
-            yield Dictated(phone + stress if phone in _VOWELS else phone, share)
+            yield Dictated(phone + stress if phone in phonesets.VOWELS else phone, share)
