@@ -44,8 +44,8 @@ class LipClass:
     """A class of phones: dominance magnitude per articulator, flanks in seconds, limits per parameter.
 
     `yields`: for the look-ahead model, phones a second from which on it yields an articulator. `precision`:
-    for the model of least effort. `anticipates`: per articulator, the share of the precision of the coming
-    vowel with which that vowel takes part in a consonant of this class.
+    for the model of least effort, where it differs from the magnitude. `anticipates`: per articulator, the
+    share of the precision of the coming vowel with which that vowel takes part in a consonant of this class.
     """
 
     magnitude: Weights
@@ -283,7 +283,7 @@ def _holding(lip_class: LipClass) -> Holding:
         FrozenDict(dominance),
         FrozenDict(limits),
         FrozenDict(lip_class.yields),
-        FrozenDict(lip_class.precision),
+        FrozenDict({**lip_class.magnitude, **lip_class.precision}),
         FrozenDict(lip_class.anticipates),
     )
 
