@@ -9,7 +9,7 @@ import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from ..core.articulators import PROTRUSION, within_range
+from ..core.articulators import PROTRUSION, SHORTEST_CLOSURE, within_range
 from ..core.frozen import FrozenDict
 from ..core.movement import Cause, LipSegment, silent_dominance
 from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
@@ -21,8 +21,6 @@ from .inputs import ChannelInputs, Context
 from .registry import register
 from .tempo import fullness_of_phones
 
-# A closure is never shorter than this many seconds, if its phone is not (DESIGN, section 3; facts: lips).
-SHORTEST_CLOSURE = 0.04
 # Seconds before the release of a closure is heard in which the lips begin to part: people's lips press
 # hardest soon after they meet, and may part at full speed before the release (Löfqvist 1996).
 PARTING = 0.01

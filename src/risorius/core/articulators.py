@@ -14,6 +14,8 @@ from .parameters import INDEX, PARAMETERS, check_value
 
 JAW, APERTURE, WIDTH, PROTRUSION = "jaw_drop", "lip_aperture", "lip_width", "lip_protrusion"
 UPPER, CORNERS = "upper_lip", "lip_corners"
+SHORTEST_CLOSURE = 0.04
+"""Seconds: a shorter contact of the lips would be over before an eye could see it (DESIGN, section 3)."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -57,11 +57,10 @@ class TuckTradeoff:
 
 @dataclass(frozen=True, slots=True)
 class SealTradeoff:
-    """How long a closure of the lips takes: its `ramp` and its `shortest` duration, seconds."""
+    """How long lips take to come to a closure that no articulators bring about, and to leave it, seconds."""
 
     source: str
     ramp: ContactSeconds
-    shortest: ContactSeconds
 
 
 @dataclass(frozen=True, slots=True)
