@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from ..core.setting import Names
+from ..core.names import Names
 from ..errors import InputError
 from .messages import print_table
 from .options import Command, CommandGroup, Named, rules_option

@@ -234,11 +234,6 @@ class LipTable:
         return (symbol, first, diphthong.turn), (symbol, second, 1.0 - diphthong.turn)
 
 
-def manners() -> tuple[str, ...]:
-    """Return the manners of speech by name."""
-    return tuple(lip_table().manners)
-
-
 @lru_cache(maxsize=1)
 def lip_table() -> LipTable:
     """Return the package's table; raise InputError if its names do not fit or it lacks a phone."""

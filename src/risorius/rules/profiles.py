@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal, cast
 
 from ..core.action_units import resolve_targets
+from ..core.choices import BLINK_MODELS
 from ..core.frozen import FrozenDict
 from ..core.hints import Range
 from ..core.parameters import INDEX, PARAMETERS, Kind
@@ -25,7 +26,6 @@ Normal = tuple[HabitSeconds, HabitSeconds]
 """Mean and standard deviation."""
 
 
-BLINK_MODELS = ("natural", "itti", "pelachaud", "none")
 """How blinks that no rule asks for come: as measured, as the sources of papers A and B print, or not."""
 
 

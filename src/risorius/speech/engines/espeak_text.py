@@ -13,6 +13,7 @@ from itertools import groupby, pairwise
 from typing import NamedTuple
 from xml.sax.saxutils import escape, quoteattr
 
+from ...core.choices import RATES
 from ...core.directions import Break, DirectedSpan, Emphasis
 from ...core.manner import PLAIN, Manner
 from ...errors import SpeechWarning, warn
@@ -24,7 +25,6 @@ from .protocol import SpeechRequest
 # pitch of 50, 62.5 and 75).
 USUAL_RATE, USUAL_PITCH, USUAL_RANGE, USUAL_VOLUME = 175, 50, 50, 100
 PITCH_PER_SEMITONE = 6.0
-SLOWEST, FASTEST = 80, 440
 
 # Returns the attribute of the element `voice` for the voice that a span asks for.
 FindVoice = Callable[[DirectedSpan], str]
@@ -56,7 +56,7 @@ def parameters(request: SpeechRequest) -> dict[str, int | None]:
     manner = request.manner
     rate = request.rate
     if manner.rate != 1.0:
-        rate = max(SLOWEST, min(round((rate or USUAL_RATE) * manner.rate), FASTEST))
+        rate = max(int(RATES.low), min(round((rate or USUAL_RATE) * manner.rate), int(RATES.high)))
     pitch = request.pitch
     if manner.pitch != 0.0:
         base = USUAL_PITCH if pitch is None else pitch
