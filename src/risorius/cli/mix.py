@@ -18,7 +18,7 @@ PRINTED = "-.muscles.csv"
 @click.command(cls=Command, short_help="Combine the movements of a score into curves.")
 @click.argument("score", type=click.Path(path_type=Path, dir_okay=True))
 @output_option
-@setting_options((Stage.COMBINE, *SHOWN))
+@setting_options((Stage.COMBINE, *SHOWN), defaults={Stage.COMBINE: "the score's"})
 def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     """Combine the movements of SCORE (.json) into curves.
 

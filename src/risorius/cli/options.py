@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, TypeVar
 
 import click
 from click.shell_completion import CompletionItem
 
-from ..core.setting import Group, Names, Row, Stage, ValueKind, rows
+from ..core.names import Names
+from ..core.setting import Group, Row, Stage, ValueKind, rows
 from ..errors import InputError, ParameterError, Place, unknown
 from ..settings import Settings
 from .messages import JSON, QUIET
@@ -144,14 +146,22 @@ def option(*names: str, group: str, **about: Any) -> Callable[[F], F]:
     return click.option(*names, cls=Option, group=group, **about)
 
 
-def setting_options(stages: Collection[Stage] = (), names: Collection[str] = ()) -> Callable[[F], F]:
-    """Return a decorator that gives a command the options of the settings that `stages` read, and `names`."""
+def setting_options(
+    stages: Collection[Stage] = (),
+    names: Collection[str] = (),
+    *,
+    defaults: Mapping[Stage, str] = MappingProxyType({}),
+) -> Callable[[F], F]:
+    """Return a decorator that gives a command the options of the settings that `stages` read, and `names`.
+
+    `defaults`: in words, what settings of a stage have that are not chosen, if it is not what is usual.
+    """
 
     def decorate(command: F) -> F:
         # What is decorated last comes first.
         for row in [row for group in Group for row in _rows_in(group)][::-1]:
             if row.flag is not None and (row.entry.stage in stages or row.name in names):
-                command = _option(row)(command)
+                command = _option(row, defaults.get(row.entry.stage))(command)
         return config_option(preset_option(command)) if stages else command
 
     return decorate
@@ -184,9 +194,9 @@ def flag(name: str) -> str:
     return (row.flag if row is not None else None) or f"--{name.replace('_', '-')}"
 
 
-def _option(row: Row) -> Callable[[F], F]:
+def _option(row: Row, default: str | None) -> Callable[[F], F]:
     about: dict[str, Any] = {"metavar": row.entry.metavar, "type": _type(row)}
-    shown = "" if row.is_flag else row.text(row.usual)
+    shown = "" if row.is_flag else default or row.text(row.usual)
     if row.is_flag:
         about = {"is_flag": True}
     elif row.several:
