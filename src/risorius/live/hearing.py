@@ -1,4 +1,4 @@
-"""From a phrase of the face's own voice to what is said when in it, beside the frames that are shown."""
+"""Align a phrase of the face's own voice in the background, while frames are shown."""
 
 from __future__ import annotations
 
