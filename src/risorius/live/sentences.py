@@ -1,4 +1,7 @@
-"""Sentences out of text that arrives in pieces: the same ones however the text is cut."""
+"""Split text that arrives in pieces into sentences.
+
+Sentence boundaries do not depend on how the text is chunked.
+"""
 
 from __future__ import annotations
 
