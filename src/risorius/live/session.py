@@ -331,7 +331,7 @@ class Live:
         return in_time and not playing.is_full and self._joining is None and not self._beginning
 
     def _join(self, joining: Joining) -> None:
-        """Go on with the turn that others have joined; an error in them is raised, and it goes on without."""
+        """Continue with the extended turn; if its new sentences fail, tell why and keep the old turn."""
         performed = joining.turn.result()
         playing = self._stretch
         with self._lock:
