@@ -61,7 +61,7 @@ class LiveStretch:
         return self.labels[max(bisect_right(self.starts, seconds) - 1, 0)] if self.labels else ""
 
     def unsaid_after(self, seconds: float) -> str:
-        """Return the text from the first word on that begins later than that."""
+        """Return the text from the first word that starts after `seconds` to the end."""
         later = [character for start, character in self.words if start > seconds]
         return self.spoken[later[0] :] if later else ""
 
