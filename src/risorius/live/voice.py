@@ -40,8 +40,8 @@ class Known(Enum):
 
 @dataclass(frozen=True, slots=True)
 class VoicedPhrase:
-    """A phrase that is heard: its `samples`, and its words with their times; or its text, as far as it came
-    since the phrase before, of which it says the beginning if it `is_open`.
+    """A phrase of the voice: its `samples`, and its words with their times or the text received since the
+    previous phrase. If `is_open`, the phrase covers only the beginning of that text.
     """
 
     samples: Samples
