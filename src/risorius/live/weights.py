@@ -82,7 +82,7 @@ class LiveWeights:
 class LiveSolvers:
     """The solvers of one head: as many as solve at a time, at most one for each processor.
 
-    Who has waited longest is next: a face that is late, and asks again at once, must not make others late.
+    First come, first served, so that one late face that asks again at once does not delay the others.
     """
 
     def __init__(self, settings: Settings) -> None:
