@@ -111,7 +111,7 @@ class Decoders:
         ]
 
     def name_phones(self, sound: Array) -> list[HeardSegment]:
-        """Return the phones, and what is none, that a loop over all phones hears in `sound`."""
+        """Decode `sound` with a free phone loop; return the phones and non-speech segments."""
         return _segments(self._aligner.ask("name_phones", sound))
 
 
