@@ -212,8 +212,8 @@ def _package() -> Path:
     spec = importlib.util.find_spec("pocketsphinx")
     if spec is None or spec.origin is None:
         raise SpeechError(
-            "the package 'pocketsphinx' is not installed, which finds words in recordings; expected it, or a "
-            "TextGrid with the words and phones (risorius speak x.TextGrid --audio x.wav)"
+            "recordings need the package 'pocketsphinx', which is not installed (pip install pocketsphinx), "
+            "or a TextGrid with words and phones (risorius speak x.TextGrid --audio x.wav)"
         )
     return Path(spec.origin).parent.parent
 
