@@ -14,8 +14,9 @@ from .lexicon import ScriptWord
 
 
 class DoubtLimits(NamedTuple):
-    """Mean log likelihoods per 10 ms frame, in pocketsphinx's units, below which a word is in `doubt`, and
-    below which it is `poor`: if so much of the speech is poor, or in no word, the transcript is another's.
+    """Mean log likelihoods per 10 ms frame, in pocketsphinx's units: below `doubt` a word is doubtful, below
+    `poor` it is poor. If more than WRONG_SHARE of the speech is poor or unmatched, the transcript is
+    rejected as belonging to another recording.
     """
 
     doubt: float
