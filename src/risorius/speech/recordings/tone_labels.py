@@ -43,12 +43,12 @@ def read_tones(grid: TextGrid, syllables: Sequence[Syllable], words: Sequence[Wo
 
 
 def tells_accents(grid: TextGrid) -> bool:
-    """Tell whether a tier holds accents, be it none."""
+    """Tell whether there is a tier of accents, possibly an empty one."""
     return any(UNKNOWN_ACCENT in _allowed(tier) for tier in _tone_tiers(grid))
 
 
 def tells_boundaries(grid: TextGrid) -> bool:
-    """Tell whether a tier holds boundaries, be it none."""
+    """Tell whether there is a tier of boundaries, possibly an empty one."""
     return any(UNKNOWN_BOUNDARY in _allowed(tier) for tier in _tone_tiers(grid))
 
 
