@@ -79,7 +79,7 @@ def with_edges(utterance: Utterance, shifts: Sequence[EdgeShift]) -> Utterance:
             misfits.append(shift.word)
     if misfits:
         named = ", ".join(dict.fromkeys(misfits))
-        warn(f"edges of phones moved by hand have no place in this line: {named}", SpeechWarning)
+        warn(f"hand-moved phone boundaries no longer match this line, at: {named}", SpeechWarning)
     return _mapped(utterance, starts, _apart(moved)) if (moved != starts).any() else utterance
 
 
