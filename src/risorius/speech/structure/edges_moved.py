@@ -92,7 +92,7 @@ def _apart(starts: Array) -> Array:
     for k in range(last - 1, 0, -1):
         apart[k] = min(apart[k], apart[k + 1] - SHORTEST)
     if any(b <= a for a, b in pairwise(apart)):
-        raise InputError("the phones have no room between these edges")
+        raise InputError(f"two boundaries are too close: each phone needs at least {1000 * SHORTEST:g} ms")
     return apart
 
 
