@@ -1,4 +1,4 @@
-"""The attributes of one element, taken one by one: what nobody takes is unknown."""
+"""The attributes of one element, consumed one by one; any left over is reported as unknown."""
 
 from __future__ import annotations
 
