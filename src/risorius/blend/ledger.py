@@ -95,7 +95,7 @@ class Ledger:
         return LedgerEntry(self, channel, *channel.sample(self.name, self.times))
 
     def curve_entry(self, channel: Channel, curve: Curve) -> LedgerEntry:
-        """Return the entry of one of a channel's curves, as though it had no other."""
+        """Return the entry of one curve, ignoring the channel's other curves."""
         return LedgerEntry(self, channel, *curve.sample(self.times))
 
 
