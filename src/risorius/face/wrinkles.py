@@ -227,7 +227,7 @@ def fold_height(width: float, stretch: float, give: float) -> float:
 
 @device
 def capped(height: float, cap: float) -> float:
-    """Return `height` ≥ 0 mm, of which so much is lost that it stays below `cap`.
+    """Soft-clip `height` (mm, ≥ 0) below `cap` (mm).
 
     Most skin is nearly flat: there the series of tanh is as exact as single precision, and faster.
     """
