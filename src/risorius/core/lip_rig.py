@@ -266,7 +266,7 @@ def rig_of_fit(terms: Int64Array, coefficients: Array) -> LipRig:
 
 
 def seal_of(closed: Array, left: Array) -> Array:
-    """Return the seal that closes so many mm of a gap and leaves so many mm, both 0 or more.
+    """Return the seal that closes `closed` mm of a gap and leaves `left` mm, both 0 or more.
 
     It takes `SEAL_MM` mm by its whole way, or more from a gap of which it then leaves only what `WIDEST_MM`
     allows; without a corner where one takes over from the other.
