@@ -163,7 +163,7 @@ class HeadScene:
         return ShownHair(points, order.astype(np.int32), (self.mesh_vertices + 2 * pairs).astype(np.int32))
 
     def pose(self, frame: FaceFrame, eye: Float32Array, sample: float, shown: ShownHair) -> Pose:
-        """Move the vertices to a frame, of the hairs those that are `shown`.
+        """Pose all vertices for a frame; of the hair, only the strands in `shown`.
 
         `eye` (3,) float32 is the place of the camera, `sample` the least width in mm that it can show.
         """
