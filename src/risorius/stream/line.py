@@ -1,4 +1,4 @@
-"""Who is sent something, and how: the protocol, the address, or a greeting to wait for."""
+"""The receiver of a stream: its protocol and address, or a handshake to wait for."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Line:
         return cls(chosen, options, address, listen is not None)
 
     def greeted(self, patience: float, progress: Progress) -> Line:
-        """Return the line to who greets, where that is waited for; raise OutputError if nobody does."""
+        """Wait for a handshake, if asked to, and return its sender; raise OutputError if none comes."""
         if not self.listens:
             return self
         progress(f"Waiting for a greeting at {self.address} …")
