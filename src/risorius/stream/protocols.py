@@ -27,8 +27,8 @@ Greetings = Mapping[bytes, Asked]
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """`subject`: who is shown, by which a receiver tells several apart. `names` of expressions over VMC: the
-    presets of VRM 0 or VRM 1, or the 52 shapes (Perfect Sync) with a small or a capital first letter.
+    """`subject`: the subject name; receivers use it to distinguish faces. `names` of expressions over VMC:
+    the presets of VRM 0 or VRM 1, or the 52 shapes (Perfect Sync) with a small or a capital first letter.
     `dialect`: what the receiver's greeting asked for, where the protocol has one.
     """
 
