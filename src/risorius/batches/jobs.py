@@ -131,7 +131,7 @@ class JobMaker:
 
 @contextmanager
 def at_row(place: Place) -> Iterator[None]:
-    """Give errors of the block the place of a row, before the place that they have."""
+    """Prefix errors of the block with their row of the manifest."""
     try:
         yield
     except RisoriusError as error:
