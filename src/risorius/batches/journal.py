@@ -119,7 +119,7 @@ def _locked(path: Path, *, shared: bool = False) -> IO[bytes]:
     except BlockingIOError:
         file.close()
         raise OutputError(
-            "another batch runs here; expected its end, or another folder", Place(str(path))
+            "another batch is running in this folder; wait for it or choose another folder", Place(str(path))
         ) from None
     return file
 
