@@ -35,8 +35,7 @@ def _files_for(outputs: Collection[Path]) -> Iterator[tuple[Path, ...]]:
 def written(console: Console, outputs: Collection[Path]) -> Iterator[tuple[Path, ...]]:
     """Yield the files to write, one that is printed later for standard output; when all are written, say so.
 
-    Raises OutputError for several of these, for a suffix that is none, and if a terminal would get what is no
-    text.
+    Raises OutputError for more than one `-.SUFFIX`, an unknown suffix, or binary output to a terminal.
     """
     with _files_for(outputs) as files:
         yield files
