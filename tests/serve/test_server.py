@@ -378,6 +378,6 @@ def test_a_voice_that_cannot_be_used_is_one_error(client: Client, about: dict[st
     client.send("say", **about)
     assert fault in client.until("error")["message"]
     client.send("look", pitch=3)
-    assert "half a direction" in client.until("error")["message"]
+    assert "give either a target, or both pitch and yaw" in client.until("error")["message"]
     client.send("look", target="lft")
     assert "'left'" in client.until("error")["message"]

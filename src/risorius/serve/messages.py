@@ -89,11 +89,11 @@ class LookAt:
 
     @property
     def direction(self) -> str | tuple[float, float] | None:
-        """The direction; raises InputError for half of one, and for two."""
+        """The target's name or (pitch, yaw); raises InputError unless exactly one of the two is complete."""
         if self.pitch is None and self.yaw is None:
             return self.target
         if self.target is not None or self.pitch is None or self.yaw is None:
-            raise InputError("half a direction, or two; expected a target, or pitch and yaw")
+            raise InputError("give either a target, or both pitch and yaw")
         return self.pitch, self.yaw
 
 
