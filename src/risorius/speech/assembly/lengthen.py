@@ -10,7 +10,7 @@ import numpy as np
 from ...core.utterance import SILENCE
 from ..engines.protocol import Rendition, SpokenPhone
 
-# Of a shortened pause so much is left at least (seconds).
+# Shortest pause that shortening leaves, in seconds.
 SHORTEST = 0.06
 
 
