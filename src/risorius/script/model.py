@@ -12,7 +12,7 @@ from ..errors import Place
 from ..rules.gestures import GesturePart
 from .anchor import Anchor, Base
 
-# Seconds that a mark to the end is held at least, where it has no onset of its own.
+# Minimum hold, in seconds, of a mark that lasts to the end and has no onset of its own.
 SHORTEST_HOLD = 0.3
 
 
