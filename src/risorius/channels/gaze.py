@@ -71,7 +71,7 @@ def gaze(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
     yield from movements_of_rules(inputs, context)
     if not inputs.lively:
         return
-    # While listening the eyes are as free as else: only who is looked at is marked.
+    # Listening marks only the gaze target; random gaze shifts stay enabled.
     looking = [m for m in marked if (m.start, m.end) not in inputs.listening]
     yield from _blinks(looking, inputs, context.numbers)
     looks = [Glance(m.start, m.end, LISTENER, m.cause, fixed=True) for m in looking]
