@@ -1,4 +1,4 @@
-"""What a line is made from, as a digest: it changes with input, settings, files and version."""
+"""A digest of all that a line is made from; it changes with input, settings, files and version."""
 
 from __future__ import annotations
 

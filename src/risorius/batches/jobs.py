@@ -52,8 +52,8 @@ class BatchJob:
 
 @dataclass(frozen=True)
 class JobMaker:
-    """What all rows have in common: the `patterns` of outputs, the `folder` from which their files count,
-    settings and emotions where a row has none, and columns to `ignore`.
+    """The options that all rows share: the `patterns` of outputs, the `folder` that relative file names start
+    from, settings and emotions for rows that give none, and columns to `ignore`.
     """
 
     patterns: Sequence[OutputPattern]

@@ -40,7 +40,7 @@ class JournalEntry:
 
     @classmethod
     def read(cls, text: str) -> JournalEntry | None:
-        """Return the entry in a line of JSON; None for what is none, as when it is torn."""
+        """Return the entry in a line of JSON; None if it cannot be read, for example a torn line."""
         try:
             return parse_json(text, NAME).read(cls)
         except InputError:
@@ -73,7 +73,7 @@ class Journal(Scratch):
             raise
 
     def entry(self, name: str) -> JournalEntry | None:
-        """Return the latest entry of an id, None if there is none."""
+        """Return the latest entry of an id, None if it has no entry."""
         row = self._database.execute("SELECT entry FROM entries WHERE id = ?", (name,)).fetchone()
         return None if row is None else JournalEntry.read(row[0])
 

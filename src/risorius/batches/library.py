@@ -1,4 +1,4 @@
-"""What programs call: `batch` over rows or a manifest, `pipe` over texts."""
+"""The functions that programs call: `batch` over rows or a manifest, `pipe` over texts."""
 
 from __future__ import annotations
 

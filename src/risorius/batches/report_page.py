@@ -42,7 +42,7 @@ class Totals:
 @dataclass(frozen=True, slots=True)
 class PageLine:
     """A line on the page: its result, words per second, the links to its outputs by their names, and those to
-    its sound and its pictures, empty if there are none.
+    its sound and its pictures, empty if it has none.
     """
 
     result: LineResult

@@ -33,7 +33,7 @@ class Shard:
 
     @classmethod
     def parse(cls, text: str) -> Shard:
-        """Return the shard of a text such as "3/8"; raise InputError if it is none."""
+        """Return the shard of a text such as "3/8"; raise InputError for any other text."""
         match = re.fullmatch(r"(\d{1,6})/(\d{1,6})", text.strip())
         if match is None or not 1 <= int(match[1]) <= int(match[2]):
             raise InputError(f"shard '{text[:40]}' is not one; expected e.g. 3/8: the third of eight")
