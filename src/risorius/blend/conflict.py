@@ -36,7 +36,7 @@ class Join(StrEnum):
 
 
 class SuppressionEffect(StrEnum):
-    """What a rival does to an activity; the rival completes the sentence."""
+    """The effect of a rival on an activity; the rival's name completes the sentence."""
 
     INHIBITED = "inhibited by"
     OFFSET = "limited by its minimum offset before"
@@ -63,7 +63,7 @@ class Policy(Protocol):
         """Return the function that resolves conflicts at some of the sorted times, shape (n,)."""
 
     def suppressor(self, channel: Channel, parameter: str, time: float) -> Suppressor | None:
-        """Return the rival that suppresses an activity at a time, or None if there is none."""
+        """Return the rival that suppresses an activity at a time, or None."""
 
 
 @dataclass(frozen=True, slots=True)

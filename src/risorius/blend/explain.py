@@ -186,7 +186,7 @@ def _because(plan: Plan, suppressor: Suppressor) -> str:
 
 
 def _only(values: Array) -> float:
-    """Return the value at the only time, 0 if there is none: then the curve is at rest."""
+    """Return the value at the only time; 0 without a value, because the curve is then at rest."""
     return float(values[0]) if len(values) else 0.0
 
 

@@ -52,7 +52,7 @@ def steps_between(edges: Array, step: float) -> IndexArray:
 class Knots:
     """Edges, shape (n,), sorted and distinct, with knots at most `step` seconds apart between them.
 
-    `reach`: edges have an effect over so many seconds; the middle of a longer stretch is not divided.
+    `reach`: seconds over which edges have an effect; the middle of a longer stretch is not divided.
     """
 
     def __init__(self, edges: Array, step: float, reach: float = np.inf) -> None:

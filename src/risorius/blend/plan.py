@@ -42,9 +42,9 @@ from .tuning import tune
 from .units import UnitSums
 
 TAKEN_OVER = 0.06
-"""Of a muscle's range: how near to each other speech and a display turn from one to the other."""
+"""Share of a muscle's range over which the transition between speech and a display is rounded."""
 JAW_ROUNDED = 0.06
-"""Of the jaw's range: how near to the limit of a closed mouth it turns."""
+"""Share of the jaw's range over which it is rounded before the limit of a closed mouth."""
 CHUNK = 16_384
 """Times computed at once: memory beyond the result does not grow with its length."""
 
@@ -54,7 +54,7 @@ class Plan:
 
     `like` is the plan of a score with other movements: if lips and settings are equal, its compiled lips are
     used again, and so are layers whose movements are the same. Raises as `check_score` and `tune` do, and
-    InputError if the lips need a rig and there is none.
+    InputError if the lips need a rig and `rig` is None.
     """
 
     score: Score

@@ -71,7 +71,7 @@ class Approach:
     def most(self, times: Array) -> Array:
         """Return the widest gap that closures allow at sorted times, mm, shape (n,).
 
-        It is infinite if there are none, and below 0 during a closure.
+        It is infinite without closures, and below 0 during a closure.
         """
         return self._table.opening.fastest * (self._seals.at(times) - self._seals.inside(times))
 
@@ -165,7 +165,7 @@ class _Distance:
         self._gentle = gentle
 
     def at(self, times: Array) -> Array:
-        """Return the distance at sorted times, shape (n,): 0 during goals, infinite if there are none."""
+        """Return the distance at sorted times, shape (n,): 0 during goals, infinite without goals."""
         number = np.searchsorted(self._start, times, side="right")
         before, ahead = times - self._end[number], self._start[number] - times
         with np.errstate(divide="ignore"):

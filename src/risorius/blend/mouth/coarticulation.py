@@ -124,7 +124,7 @@ class Coarticulation(Protocol):
 
 
 AT_ONCE = 2048
-"""Weights are computed for so many times at once: they need far more memory than the averages."""
+"""Times per block of weights, which need far more memory than the averages."""
 
 
 def weighted_averages(

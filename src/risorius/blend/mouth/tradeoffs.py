@@ -1,4 +1,4 @@
-"""What the lips give up if neighbouring phones leave no time for everything (`data/tradeoffs.toml`)."""
+"""The lips' trade-offs if neighbouring phones leave no time for everything (`data/tradeoffs.toml`)."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ class SealTradeoff:
 
 @dataclass(frozen=True, slots=True)
 class Tradeoffs:
-    """Which demand gives way first, which next, and by how much each may."""
+    """The order in which demands give way, and by how much each may."""
 
     order: tuple[str, ...]
     opening: OpeningTradeoff

@@ -25,7 +25,7 @@ WIDTH = 0.4
 STEP = 0.005
 """Seconds between knots at most."""
 CELL = 10.0
-"""Shares are computed for so many seconds at least. Results do not depend on it."""
+"""Shares are computed for at least this number of seconds. Results do not depend on it."""
 
 
 @POLICIES.register("graded")
