@@ -20,7 +20,7 @@ from .ruled import marked_and_ruled
 
 POSTURE = "emotion.posture.speaker"
 _OVERLAP = 0.05
-# What lasts as long as the clip is released so long after its end, seconds: later than any frame's time.
+# Seconds after the clip's end until displays that last to the end are released: later than any frame.
 _BEYOND = 0.1
 
 

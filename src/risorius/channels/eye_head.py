@@ -107,7 +107,7 @@ class _Chain:
 
 
 class _Pose:
-    """Where eyes and head are, and all that brought them there."""
+    """The directions of eyes and head, and all movements that brought them there."""
 
     def __init__(self) -> None:
         self.eye: Angles = (0.0, 0.0)

@@ -1,4 +1,4 @@
-"""What channels build from, gathered from a script and what is said of it."""
+"""Collect the inputs of channels from a script and what is said of it."""
 
 from __future__ import annotations
 

@@ -179,8 +179,7 @@ def _around(normal: tuple[float, float], numbers: Counted, what: str) -> float:
 def _averted(inputs: ChannelInputs, looks: Sequence[Glance], ends: _Ends, numbers: Counted) -> list[Glance]:
     """Return the looks, and among them those away that regulate intimacy (Andrist et al. 2013).
 
-    No smile looks away, and nobody who has said all; none begins near the end of a sentence. Other looks cut
-    them short.
+    None begins during a smile, after the last word or near the end of a sentence. Other looks cut them short.
     """
     found = list(looks)
     looks = sorted([*looks, *_smiles(inputs), *_silence(inputs)], key=lambda k: k.start)

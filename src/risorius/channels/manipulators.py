@@ -21,7 +21,7 @@ from .ruled import marked_and_ruled
 NATURAL, ITTI, PELACHAUD = (f"manipulators.lids.{name}" for name in ("natural", "itti", "pelachaud"))
 # Blinks a second after one, two and three waits (facts: science/03, section 3.1, for its step of 0.1 ms).
 _HAZARDS = (1.0, 10.0, 1000.0)
-# What closes the eyes so far for no longer than this is a blink, seconds.
+# A movement that closes the eyes at least this far (0..1) and lasts at most this long (seconds) is a blink.
 _SHUT, _LONGEST = 0.5, 0.8
 # Seconds between two blinks at least.
 _APART = 0.25

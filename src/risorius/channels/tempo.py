@@ -8,7 +8,7 @@ from ..core.utterance import SILENCE, Utterance
 from ..rules.lips import LipTable
 
 DIGITS = 2
-"""Factors have so many digits, so that phones of many stretches share their targets."""
+"""Digits to which factors are rounded, so that phones of many stretches share their targets."""
 
 
 def fullness_of_phones(utterance: Utterance, table: LipTable) -> list[float]:
