@@ -1,4 +1,4 @@
-"""What a batch says while it runs: a bar, or a line now and then; and each failure, up to some."""
+"""Progress of a batch: a bar or occasional lines, and each failure up to a limit."""
 
 from __future__ import annotations
 

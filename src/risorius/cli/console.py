@@ -1,4 +1,4 @@
-"""What the command line says while it works: lines and a progress bar, on standard error."""
+"""Messages of the command line while it works: lines and a progress bar, on standard error."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 EXIT_INTERRUPTED = 130
-INTERVAL = 10.0  # seconds between lines where there is no bar
+INTERVAL = 10.0  # seconds between lines if no bar is shown
 _interrupted = threading.Event()
 
 

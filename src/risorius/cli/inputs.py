@@ -1,4 +1,4 @@
-"""What `speak` and `stream` are given: a text, a file, standard input, or a recording and its words."""
+"""Inputs of `speak` and `stream`: a text, a file, standard input, or a recording and its words."""
 
 from __future__ import annotations
 

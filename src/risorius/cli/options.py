@@ -65,7 +65,7 @@ class CommandGroup(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Return the name of the command, the command and its arguments; fail if there is no such command."""
+        """Return the name of the command, the command and its arguments; fail for an unknown command."""
         if args and not args[0].startswith("-") and self.get_command(ctx, args[0]) is None:
             ctx.fail(unknown("command", args[0], self.commands))
         return super().resolve_command(ctx, args)
@@ -109,7 +109,7 @@ class NumberIn(click.ParamType[float]):
         self._expected = f"expected {low:g} or more" if high == math.inf else f"expected {low:g} to {high:g}"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
-        """Return the number; raise ParameterError for a text that is none, and for one out of range."""
+        """Return the number; raise ParameterError if the text is not a number or is out of range."""
         flag = "" if param is None else f"{param.opts[0]} "
         try:
             number = self._kind(value)
@@ -142,7 +142,7 @@ class Named(click.ParamType[str]):
 
 
 def option(*names: str, group: str, **about: Any) -> Callable[[F], F]:
-    """Return the decorator of an option that is no setting."""
+    """Return the decorator of an option that is not a setting."""
     return click.option(*names, cls=Option, group=group, **about)
 
 
@@ -158,7 +158,7 @@ def setting_options(
     """
 
     def decorate(command: F) -> F:
-        # What is decorated last comes first.
+        # Options are listed in the reverse order of their decorators.
         for row in [row for group in Group for row in _rows_in(group)][::-1]:
             if row.flag is not None and (row.entry.stage in stages or row.name in names):
                 command = _option(row, defaults.get(row.entry.stage))(command)
@@ -172,7 +172,7 @@ def _rows_in(group: Group) -> list[Row]:
 
 
 def settings_from(chosen: Mapping[str, Any]) -> Settings:
-    """Return the settings that a command's options chose; raise RisoriusError for what is none."""
+    """Return the settings that a command's options chose; raise RisoriusError for an invalid value."""
     from ..presets import load_settings
 
     table, kept = rows(Settings), {**chosen}

@@ -23,7 +23,7 @@ from .options import (
 )
 from .typed import TypedText, face_of
 
-# What is sent are weights, as a file of them has them: it depends on what the curves and the skin depend on.
+# The stream sends weights, as an ARKit CSV has them: they depend on all that curves and skin depend on.
 _LIKE = Path("x.arkit.csv")
 _READ = (Stage.VOICE, Stage.PLAN, Stage.COMBINE, Stage.FRAMES, Stage.HEAD, Stage.SHAPE, Stage.SKIN)
 

@@ -48,7 +48,7 @@ class TypedText:
         threading.Thread(target=self._read, daemon=True).start()
 
     def check(self) -> None:
-        """Raise what was wrong with the text; InputError if there was none."""
+        """Raise the error that reading the text gave; InputError if the text is empty."""
         if self._fault is not None:
             raise self._fault
         if self._is_empty:
