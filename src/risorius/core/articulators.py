@@ -70,7 +70,7 @@ CONTROLS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "upper": {"levator_labii_superioris": 1.0},
         "round": {"orbicularis_oris_funneler": 1.0},
         # Not the risorius: beside a triangularis, which pulls in nearly the same direction, it does not widen
-        # the mouth, so that vowels were too narrow in sadness. The zygomatic major is no rival of a smile.
+        # the mouth, so that vowels were too narrow in sadness. The zygomatic major agrees with a smile.
         "spread": {"zygomatic_major": 1.0},
         "lift": {"zygomatic_major": 1.0},
         "lower": {"triangularis": 1.0},
@@ -97,7 +97,7 @@ def leader(parameter: str) -> str:
     return _LEADERS.get(parameter, parameter)
 
 
-# What follows two articulators is led by the first of them.
+# A parameter that follows two articulators is led by the first.
 _LEADERS = {
     p.name: a.name
     for a in reversed(list(ARTICULATORS.values()))

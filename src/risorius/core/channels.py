@@ -32,7 +32,7 @@ class ChannelTiming:
 
 @dataclass(frozen=True, slots=True)
 class ChannelDeclaration:
-    """What is known of a channel before anything is built.
+    """The declaration of a channel, known before anything is built.
 
     `priority`: of its movements unless they have their own; the highest wins. `rules`, `marks`: whether rules
     and the marks of a script feed it. `exclusive`: while a mark moves parameters here, no rule moves them.

@@ -81,7 +81,7 @@ class Directions:
     answers: str = ""
 
     def moved(self, characters: int) -> Directions:
-        """Return the same directions for a text that begins so many characters later."""
+        """Return the same directions for a text that begins `characters` later."""
         return Directions(
             tuple(replace(s, start=s.start + characters, end=s.end + characters) for s in self.spans),
             tuple(replace(b, at=b.at + characters) for b in self.breaks),

@@ -1,4 +1,4 @@
-"""What a dataclass's types say to the strict reader (`schema`), and what they are called in its errors."""
+"""Type hints of dataclasses for the strict reader (`schema`), and their names in its errors."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Range:
 
 @dataclass(frozen=True, slots=True)
 class Then:
-    """What is done with a value that fits its type: it becomes what `convert` returns.
+    """Marks a type hint: a value that fits the type is replaced by what `convert` returns for it.
 
     `convert` may raise a RisoriusError, or MisfitError to name a part of the value. `of`: the type that the
     value has before, if it is another one.

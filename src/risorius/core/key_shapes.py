@@ -11,7 +11,7 @@ from .arrays import Array
 from .time import TICK
 
 Handle = tuple[float, float]
-"""Where a handle ends: seconds and value, counted from its key."""
+"""The end of a handle: seconds and value, relative to its key."""
 _STEP = 1.0 / 240.0  # s between the points of a curved stretch, at most
 _MOST = 400  # points of one
 

@@ -1,4 +1,4 @@
-"""What stands at a path that a user wrote, whatever it is: too long and impossible names are no files."""
+"""Look up paths that a user wrote; names that are too long or impossible count as missing files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where a value stands in a text of TOML or JSON: looked up only when something is wrong with it.
+"""Find the position of a value in a text of TOML or JSON, once something is wrong with it.
 
 The texts have been parsed before, so that the scanners below need not judge their syntax.
 """

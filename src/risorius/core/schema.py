@@ -34,7 +34,7 @@ _LONGEST_KEY = 60  # characters of a key that are shown
 
 
 class MisfitError(Exception):
-    """What is wrong with a value, or with the part of it at `path`; `build` makes it a RisoriusError.
+    """A fault of a value, or of its part at `path`; `build` makes it a RisoriusError.
 
     `message` is a text, or a function that makes it of the value's dotted path and the file's syntax.
     """
@@ -305,7 +305,7 @@ def _one_of(hint: Any) -> Converter:
     allowed = {value: value for value in typing.get_args(hint)} or {str(member): member for member in hint}
 
     def read(value: object) -> object:
-        # A flag is no choice, though Python takes True for 1.
+        # A flag is not a choice, although True == 1 in Python.
         if type(value) not in (str, int) or value not in allowed:
             raise _wrong(value, hint)
         return allowed[value]

@@ -53,7 +53,7 @@ class Group(StrEnum):
 
 
 class ValueKind(StrEnum):
-    """What a setting's value is."""
+    """The kind of a setting's value."""
 
     TEXT = "text"
     FILE = "file"
@@ -97,7 +97,7 @@ SWITCHED = {"on": True, "off": False}
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """What the table says of a setting beside its type and its default.
+    """A setting's entry in the table, beside its type and its default.
 
     `label`: its name on a page. `flag`: its option, None if the command line has none; `metavar`: what stands
     for its value in help. `low`, `high`: its range, also of each of several amounts; `step` of a control.
@@ -210,7 +210,7 @@ class Row:
 
     @property
     def called(self) -> str:
-        """What errors call it: a name that fits its option as well as its field."""
+        """Its name in errors, which fits its option as well as its field."""
         return self.entry.what or self.name.replace("_", " ")
 
     @property
