@@ -1,4 +1,4 @@
-"""What acts on the skin at given values of the muscles: their own activations, and those of joint fields.
+"""Activations that act on the skin at given values of the muscles: their own, and those of joint fields.
 
 Muscles that push one lip from two sides hold each other: one at activation a whose partner is at b keeps
 a (1 − y a b), with y of `YIELDS`. Each alone is exact, and more activation never moves the skin less, because

@@ -42,7 +42,7 @@ class Places(NamedTuple):
 
     The vertices of a cell stand at `start[cell]:start[cell + 1]`; `highest` (2 · COLUMNS,) is the largest
     bound in each column of cells. `slot` (k,) is the place of each vertex in this order. In this order:
-    `vertex` its number, `x`, `z` (k + 3,), `nearest` its nearest triangle, −1 if there is none, and `found`
+    `vertex` its number, `x`, `z` (k + 3,), `nearest` its nearest triangle, −1 for none, and `found`
     (k, 3) the least height found, or a bound for it, and the weights of the triangle's last two corners.
     """
 
@@ -280,7 +280,7 @@ def narrowest(
 ) -> None:
     """Write the contact with the narrowest gap about each even place from `start` to `end` to `nearest`.
 
-    −1 if there is none. `width`: the share of the whole that counts as around a place; `x` mm and `gap`:
+    −1 for none. `width`: the share of the whole that counts as around a place; `x` mm and `gap`:
     those of the `count` contacts.
     """
     places = len(nearest)

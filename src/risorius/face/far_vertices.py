@@ -138,6 +138,6 @@ def lengths(vectors: Array) -> Array:
 
 
 def within_leeway(way: Array) -> Array:
-    """Return a way from the least squares (s,) that is no longer than `LEEWAY` for any weight."""
+    """Return the step (s,) from the least squares, scaled so that no weight moves by more than `LEEWAY`."""
     farthest = float(np.abs(way).max())
     return way * (LEEWAY / farthest) if farthest > LEEWAY else way
