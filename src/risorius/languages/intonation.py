@@ -35,7 +35,7 @@ class Candidate:
 
 @dataclass(frozen=True, slots=True)
 class AccentRule:
-    """What a candidate must be (None: anything), and the accent it gets; none without a label."""
+    """Conditions on a candidate (None: any value), and the accent it gets; no accent without a label."""
 
     content: bool | None = None
     only: bool | None = None

@@ -61,7 +61,7 @@ class Questions:
 
 @dataclass(frozen=True, slots=True)
 class Clauses:
-    """Words before which a phrase may begin without a pause, if both parts have at least so many words."""
+    """Words before which a phrase may begin without a pause, if both parts have at least `least` words."""
 
     before: tuple[str, ...] = ()
     least: Annotated[int, Range(1, 50)] = 3
@@ -76,7 +76,7 @@ class Nouns(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class AccentPlaces:
-    """Which content words carry no accent where they stand.
+    """Content words that carry no accent because of their position.
 
     `trailing`: words at the end of a phrase that the nucleus passes over. `verbs`: how verbs look that end a
     clause and are unaccented right after a noun ("ge…t": "…" is two letters or more), but those of
@@ -97,10 +97,10 @@ class AccentPlaces:
 
 @dataclass(frozen=True, slots=True)
 class Discourse:
-    """What tells given, new and contrasted words.
+    """Clues that tell given, new and contrasted words apart.
 
-    `endings`: what is left out where words are compared ("prefers", "preferred"). `topics`: what stands in a
-    question before what it turns to ("what about"). `negations` and `corrections`: "not tea but coffee".
+    `endings`: left out when words are compared ("prefers", "preferred"). `topics`: words of a question before
+    its new topic ("what about"). `negations` and `corrections`: "not tea but coffee".
     `subjects`: words that ask for a subject ("who").
     """
 
@@ -153,7 +153,7 @@ class WordList:
 
 @dataclass(frozen=True, slots=True)
 class Language:
-    """What is known about a language. `code`: that of its folder, "und" for a language without one."""
+    """The tables of a language. `code`: that of its folder, "und" for a language without one."""
 
     code: str
     name: str
