@@ -37,10 +37,10 @@ _OWN_SILENCE = 0.15
 
 @dataclass(frozen=True, slots=True)
 class HeardPhrase:
-    """What a phrase says when.
+    """The words of a phrase and their times.
 
-    `rest`: the text that came with it, and that it does not say. `fault`: why what it says is less certain
-    than it might be, "" if it is not.
+    `rest`: the text that came with it but is not said in it. `fault`: why its words are less certain than
+    they might be, "" if nothing is wrong.
     """
 
     phrase: VoicedPhrase

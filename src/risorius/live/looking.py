@@ -1,4 +1,4 @@
-"""Where a live face looks because it was told to: eyes and head go there, stay, and come back."""
+"""Directions that a live face is told to look in: eyes and head go there, stay, and come back."""
 
 from __future__ import annotations
 

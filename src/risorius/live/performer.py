@@ -52,8 +52,8 @@ def language_spoken(settings: Settings) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Played:
-    """What is played of a take: the parameters' values (frames, parameters), its sound, and the second and
-    the character at which each word begins. `sample_rate` is None if there is no sound.
+    """The playback of a take: the parameters' values (frames, parameters), its sound, and the second and the
+    character at which each word begins. `sample_rate` is None without sound.
     """
 
     values: Array

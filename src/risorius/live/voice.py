@@ -31,7 +31,7 @@ _BLOCK, _QUIETEST = 0.02, -50.0
 
 
 class Known(Enum):
-    """What is known of what a voice says."""
+    """Knowledge about the words of a voice."""
 
     TIMES = "its words and their times"
     TEXT = "its text"
@@ -80,7 +80,7 @@ class VoiceBuffer:
 
     @property
     def text(self) -> str:
-        """What is known of the text of the sound that waits."""
+        """The text of the sound that waits, as far as it is known."""
         return written(self._words) or self._text
 
     def add(
@@ -175,7 +175,7 @@ class _PauseFinder:
         self._quiet = 0
 
     def find(self, sound: Samples, rate: int, latest: float) -> int | None:
-        """Return the samples before the end of the first phrase, None while there is none."""
+        """Return the samples before the end of the first phrase, None while no phrase has ended."""
         size = round(rate * _BLOCK)
         for start in range(len(self._levels) * size, len(sound) - size + 1, size):
             block = sound[start : start + size] / 32_768.0

@@ -1,4 +1,4 @@
-"""What was given to a live face and is not said yet: text, a voice, and what is felt with them."""
+"""The queue of a live face: text and voice that are not said yet, and the emotions felt with them."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ MOST_WAITING = 1_000
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LiveSentence:
-    """What is to be said, and what was felt when it became whole: a text, or the phrase of a `voice` at
-    `rate` Hz.
+    """A sentence to be said: a text, or the phrase of a `voice` at `rate` Hz, and the emotions that were felt
+    when it became whole.
     """
 
     text: str
@@ -69,7 +69,7 @@ class WaitingSentences:
 
     @property
     def felt(self) -> Displays:
-        """What is felt now."""
+        """The emotions that are felt now."""
         return tuple(Display(name, amount) for name, amount in self._feelings.items() if amount)
 
     def feel(self, emotion: str, intensity: float) -> None:
@@ -109,8 +109,8 @@ class WaitingSentences:
         *,
         heard: bool = False,
     ) -> tuple[LiveSentence, ...]:
-        """Take at most so many that can be performed together with the first, or else with each other; none
-        more once there are so many characters. With `heard`, those that are not heard yet wait on."""
+        """Take at most `most` that can be performed together with `first`, or else with each other; stop at
+        `characters`. With `heard`, those that are not heard yet go on waiting."""
         taken: list[LiveSentence] = []
         while self._whole and len(taken) < most:
             following = self._whole[0]
