@@ -32,7 +32,7 @@ _COLUMNS = ("suffix", "description", "needs")  # what `register` has before its 
 
 
 class Need(StrEnum):
-    """What a format is made from, and so which stages must run for it."""
+    """The data that a format is made from; it determines which stages must run."""
 
     MOVEMENTS = "movements"
     CURVES = "curves"

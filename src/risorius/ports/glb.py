@@ -30,7 +30,7 @@ from .gltf import Animation, Gltf, quaternions
 from .writable import WritableTake, WriteOptions
 
 GENERATOR = "Risorius"
-_SMALL = 1e-3  # mm: displacements below it are none
+_SMALL = 1e-3  # mm: smaller displacements count as zero
 _SHOWN = ("skin", "tongue", "teeth_lower", "lashes")
 """Parts whose points in each frame make a clip's shapes. Brows turn little: they follow the skin's shapes."""
 

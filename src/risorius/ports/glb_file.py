@@ -45,7 +45,7 @@ class GlbFile:
     def extended(self) -> dict[str, Any]:
         """Return a copy of the document to which accessors, their views and animations can be added.
 
-        Raises InputError where what stands there is none, or its first buffer is not the file's own.
+        Raises InputError if one of these is not a list, or the first buffer is not the file's own.
         """
         lists = {kind: [*self._list(kind)] for kind in ("accessors", "bufferViews", "animations", "buffers")}
         if any("uri" in buffer for buffer in lists["buffers"][:1]) or (lists["buffers"] and not self.binary):

@@ -1,4 +1,4 @@
-"""What a file tells of a head's colours to programs whose lamps cast no fine shadows.
+"""A head's colours in a file for programs whose lamps cast no fine shadows.
 
 Our renderers find for each picture how much light comes past the lips, lids and hair, and where the cloth
 begins. Engines light a glTF by its material alone. So the shade of an open mouth and of hair is in the

@@ -20,7 +20,7 @@ STEP = 0.01
 
 
 class HeadFolds:
-    """Where the wrinkles of a head lie.
+    """The places of a head's wrinkles.
 
     If more than SLOTS regions meet, the two that share the fewest vertices have one slot: there, at the
     borders of both, where they fade, the weaker of them is left out. `left_out` counts these vertices.

@@ -1,4 +1,4 @@
-"""What reading a file gives: a score or a performance, with what is said in it."""
+"""The result of reading a file: a score or a performance, with its utterance."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ PlayedFile = ScoreFile | PerformanceFile
 
 @dataclass(frozen=True, slots=True)
 class ReadOptions:
-    """What a reader may need beside the file.
+    """Options of a reader, beside the file.
 
     `head` loads the head that will perform; it is called when the file is known to be right, and only by
     formats that are fitted to a face. `progress` is called before long work.

@@ -31,7 +31,7 @@ _SIDES = {"l": "left", "r": "right", "lft": "left", "rgt": "right"}
 
 @dataclass(frozen=True, slots=True)
 class ShapeMap:
-    """What a map's file says: names of a character's morph targets by ARKit's names."""
+    """A map's file: names of a character's morph targets by ARKit's names."""
 
     shapes: Mapping[str, str] = field(default_factory=dict)
 

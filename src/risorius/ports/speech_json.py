@@ -23,7 +23,7 @@ _SAMPLE_RATE = 22_050
 
 @dataclass(frozen=True, slots=True)
 class SpeechDocument:
-    """What is said, as a score's file has it; `audio` is the way from the file's folder to the sound."""
+    """The utterance in a score's file; `audio` is the sound's path relative to the file's folder."""
 
     language: str
     phones: tuple[Phone, ...]

@@ -28,7 +28,7 @@ from .gltf import quaternion
 from .writable import WritableTake, WriteOptions
 
 METRES = 0.001
-_SMALL = 1e-3  # mm: displacements below it are none
+_SMALL = 1e-3  # mm: smaller displacements count as zero
 
 
 def write_usda(take: WritableTake, path: Path, options: WriteOptions) -> None:

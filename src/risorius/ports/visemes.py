@@ -19,7 +19,7 @@ OCULUS = ("sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E"
 """The 15 visemes of OVRLipSync, in its order."""
 TABLE = "visemes.toml"
 NEUTRAL = "AH"
-"""What an unknown phone is shown as: the lips of a neutral vowel."""
+"""The phone shown for an unknown one: the lips of a neutral vowel."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""What a writer receives: a take that can be written, and the options of the outputs."""
+"""Inputs of a writer: a take that can be written, and the options of the outputs."""
 
 from __future__ import annotations
 
@@ -32,11 +32,11 @@ class WritableTake(Protocol):
 
     @property
     def utterance(self) -> Utterance | None:
-        """What is said; None if nothing is."""
+        """The utterance; None if nothing is said."""
 
     @property
     def audio(self) -> Audio | None:
-        """The sound that is heard; None if there is none."""
+        """The sound that is heard; None for a silent take."""
 
     @property
     def shown_head(self) -> Head:
@@ -67,9 +67,9 @@ class WriteOptions:
     """How outputs are written.
 
     `size`: width and height of pictures in pixels. `at`: the time in seconds of a single picture, None for
-    the middle; `every`: a contact sheet of every so many frames instead. `alpha`: pictures have an alpha
+    the middle; `every`: a contact sheet of every n-th frame instead. `alpha`: pictures have an alpha
     channel; `draft`: films should rather be made soon than be small. `voice`: the sound file that a score
-    refers to, None if there is none. `progress` is called as the frames are made.
+    refers to, None without one. `progress` is called as the frames are made.
     """
 
     size: Size = (720, 720)

@@ -13,8 +13,8 @@ class Codec:
 
     `container`; `video` with its `options`, of which those in `draft_options` are others for drafts; `pixels`
     of opaque pictures and `alpha_pixels` of those with an alpha channel, None where it cannot be kept;
-    `sound`, and the rates it knows (any, where there are none): other sounds are resampled to the next one
-    that loses nothing.
+    `sound`, and the rates it knows (if empty, any): other sounds are resampled to the next one that loses
+    nothing.
     """
 
     container: str
