@@ -29,8 +29,8 @@ def backdrop(
 ) -> Float32Array:
     """Return display light (height, width, 3) float32 for `Look.background`: a colour or a picture's path.
 
-    If it is None, a gradient from `centre` to `edge` is drawn. Raises InputError for what is neither a colour
-    nor a picture.
+    If it is None, a gradient from `centre` to `edge` is drawn. Raises InputError for a text that is neither a
+    colour nor a picture.
     """
     if background is None:
         return gradient(width, height, centre, edge)

@@ -34,9 +34,9 @@ _SOFTENED = 0.8  # exponent: light reflected within folds brightens them a littl
 
 
 class ShownHair(NamedTuple):
-    """What is shown of the hair.
+    """The visible part of the hair.
 
-    `points` (hairs, 2): the first and the last point of each hair; if nothing is shown of it, the first comes
+    `points` (hairs, 2): the first and the last visible point of each hair; of a hidden hair the first comes
     after the last. `order` (k,): all solid triangles and the hairs' that are shown. `pairs` (p,): the first
     vertex of each pair across a hair that these have.
     """
