@@ -23,7 +23,7 @@ _NUMBER = re.compile(rf"[+-]?{NUMBER}", re.ASCII)
 
 
 class Base(StrEnum):
-    """What an anchor counts from."""
+    """The base that an anchor counts from."""
 
     START = "start"
     WORD = "word"
@@ -102,7 +102,7 @@ class Anchor:
 
 
 def parse_number(text: str) -> float | None:
-    """Return a decimal number in ASCII digits; None if `text` is none (so are `nan`, `inf` and `1_000`)."""
+    """Return a decimal number in ASCII digits; None for any other text (also `nan`, `inf`, `1_000`)."""
     stripped = text.strip()
     if not _NUMBER.fullmatch(stripped):
         return None

@@ -39,7 +39,7 @@ def parse_bml(text: str, source: str = "text") -> Script:
 
 @dataclass
 class _Reading:
-    """What has been read of a block."""
+    """The content of a block, as far as it has been read."""
 
     source: str
     unknowns: Unknowns = field(default_factory=Unknowns)

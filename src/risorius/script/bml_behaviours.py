@@ -1,4 +1,4 @@
-"""What BML's behaviours do: each a function from its node and its times to marks."""
+"""BML's behaviours: each is a function from its node and its times to marks."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What BML's speech says, and where its sync points lie in the text."""
+"""The text of BML's speech, and the places of its sync points in it."""
 
 from __future__ import annotations
 

@@ -30,7 +30,7 @@ _CAPITALS = re.compile(r"[A-ZÀ-ÖØ-Þ]{2}|^[A-ZÀ-ÖØ-Þ]$")
 
 @dataclass(frozen=True, slots=True)
 class Item:
-    """What stands between blanks, and where."""
+    """A text between blanks, with its place."""
 
     text: str
     place: Place
@@ -189,7 +189,7 @@ def _starts(words: Sequence[str]) -> list[int]:
 
 
 def _accented(placed: Sequence[tuple[int, int, Item]], tune: Tune) -> list[tuple[int, int]]:
-    """Return the accented words of a phrase: those in capitals, or where there are none, the last ones."""
+    """Return the accented words of a phrase: those in capitals, or without capitals, the last ones."""
     marked = [(a, b) for a, b, item in placed if _is_marked(item.text)]
     if not marked:
         marked = [(a, b) for a, b, _ in placed][-len(tune.accents) :] if tune.accents else []

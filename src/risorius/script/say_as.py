@@ -1,4 +1,4 @@
-"""How SSML's `say-as` is read aloud: words for words."""
+"""Reading of SSML's `say-as` aloud: words for words."""
 
 from __future__ import annotations
 

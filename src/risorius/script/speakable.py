@@ -1,4 +1,4 @@
-"""What can be spoken: some letter or digit, no control characters, not too much."""
+"""Check that a text can be spoken: a letter or digit, no control characters, not too much."""
 
 from __future__ import annotations
 
