@@ -56,8 +56,8 @@ class GoodbyeError(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Gate:
-    """What a client must know and may choose: the token, None where none is asked for, and the rig; and what
-    makes its face.
+    """The conditions for clients: the token that they must send (None: no token), the `rig` that they may
+    choose, and the function that makes a client's `face`.
     """
 
     token: str | None = None
@@ -220,7 +220,7 @@ class LiveClient:
                 self._mailbox.tell(written("error", message=error.message))
 
     async def _received(self) -> str:
-        """Return the next message; raises InputError for one that is no text."""
+        """Return the next message; raises InputError if it is not a text."""
         message = await self._socket.receive()
         if message["type"] == "websocket.disconnect":
             raise WebSocketDisconnect(message.get("code", DONE))

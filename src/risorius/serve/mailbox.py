@@ -1,4 +1,4 @@
-"""What waits for a client: a few frames, the sound of those that were dropped, and events."""
+"""The queue of a client: a few frames, the sound of dropped frames, and events."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a client says: strict decoding into dataclasses, whose fields are the keys of the messages.
+"""Messages of clients, decoded strictly into dataclasses, whose fields are the keys of the messages.
 
 docs/serve.md describes the messages; a change that breaks a client raises `VERSION`.
 """
@@ -34,7 +34,7 @@ class FrameFormat(StrEnum):
 
 
 class Output(StrEnum):
-    """What a frame has beside its sound."""
+    """A part of a frame beside its sound."""
 
     PARAMETERS = "parameters"
     ARKIT = "arkit"
@@ -75,7 +75,7 @@ class Say:
 
     @property
     def sound(self) -> bytes | None:
-        """The voice's bytes, if there are any; raises InputError for what is no base64."""
+        """The voice's bytes, if there are any; raises InputError if they are not base64."""
         return None if self.audio is None else _bytes_of(self.audio)
 
 
@@ -114,7 +114,7 @@ class Listen:
 
     @property
     def samples(self) -> Samples:
-        """The samples; raises InputError for what is none."""
+        """The samples; raises InputError if they cannot be decoded."""
         return samples_of(self.audio)
 
 

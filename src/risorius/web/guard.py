@@ -1,4 +1,4 @@
-"""Who may speak to the server: a page that it sent, on this machine, within bounds."""
+"""Guard the server: only a page that it sent, on this machine and within bounds, may speak to it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where a server listens, and within which bounds."""
+"""The address at which a server listens, and the bounds of what it accepts."""
 
 from __future__ import annotations
 
