@@ -23,7 +23,7 @@ TABLE = "articulation.toml"
 
 @dataclass(frozen=True, slots=True)
 class Consonant:
-    """Where and how a consonant is made."""
+    """The place and manner of a consonant."""
 
     place: str
     manner: str
@@ -31,7 +31,7 @@ class Consonant:
 
 @dataclass(frozen=True, slots=True)
 class ArticulationRow:
-    """What the lips do for consonants of a place and, where given, a manner: as an English phone, or so."""
+    """The lips for consonants of a place and, if given, a manner: as for an English phone or a lip class."""
 
     place: str
     manner: str | None = None

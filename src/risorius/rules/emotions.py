@@ -24,7 +24,7 @@ from .fuzzy_sets import concluded
 from .load import DATA, load_file, load_folder
 from .modulation import Modulation
 
-# What share of its full contraction belongs to each of five intensities.
+# The share of a muscle's full contraction at each of five intensities.
 Degrees = tuple[Share, Share, Share, Share, Share]
 PriorityLevel = Annotated[float, Range(0.0, 9999.0)]
 # Priorities over other channels at the same five intensities.
@@ -118,7 +118,7 @@ class Emotion:
 
 @dataclass(frozen=True, slots=True)
 class Display:
-    """An emotion to show: intensity 0..1 over [start, end] seconds, the whole clip where they are None.
+    """An emotion to show: intensity 0..1 over [start, end] seconds, the whole clip if they are None.
 
     `priority`: over other channels (paper A, section 1: "too happy to speak"); None for the channel's.
     """

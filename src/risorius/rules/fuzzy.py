@@ -21,7 +21,7 @@ UPPER = ("brows", "lids")
 
 @dataclass(frozen=True, slots=True)
 class Keeps:
-    """What an emotion keeps of the upper and the lower face, by how much stronger than the other it is."""
+    """An emotion's shares of the upper and the lower face, by how much stronger than the other it is."""
 
     upper: Shares
     lower: Shares
@@ -92,7 +92,7 @@ def _kept(
     upper, lower = (concluded(difference, table.difference, s) for s in (keeps.upper, keeps.lower))
     for target, value in targets.items():
         share = upper if _is_upper(target) else lower
-        # What is hardly felt takes nothing away.
+        # A weak emotion takes little away from the other.
         yield target, value * (1.0 - strength * (1.0 - share))
 
 

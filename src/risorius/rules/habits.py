@@ -50,7 +50,7 @@ class Habit:
 
 @dataclass(frozen=True, slots=True)
 class HabitChanges:
-    """What files of rules change: habits with other numbers, in order, and those that are deleted."""
+    """Changes of habits in files of rules: other numbers, in order, and deletions."""
 
     changed: tuple[Habit, ...] = ()
     deleted: frozenset[str] = field(default_factory=frozenset)

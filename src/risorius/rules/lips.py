@@ -90,7 +90,7 @@ class Opening:
 
 @dataclass(frozen=True, slots=True)
 class Pausing:
-    """What the lips do in pauses; seconds. `shortest`: a shorter pause changes nothing.
+    """Movements of the lips in pauses; seconds. `shortest`: a shorter pause changes nothing.
 
     The in-breath: in a silence of `breath_from` or more before speech the mouth opens to `breath_shape`,
     from `breath_lead` before the speech (or from the start of the silence), and leaves it `breath_end`
@@ -109,7 +109,7 @@ class Pausing:
     breath_shape: LipTargets
 
     def allows_breath(self, silence: float, begins_clip: bool) -> bool:
-        """Return whether the mouth opens in so many seconds of silence before speech."""
+        """Return whether the mouth opens for a breath in `silence` seconds of silence before speech."""
         return silence >= (self.breath_end + self.breath_least if begins_clip else self.breath_from)
 
 
@@ -129,7 +129,7 @@ class Tempo:
     syllables: Annotated[int, Range(1, 100)]
 
     def fullness(self, syllables: int, seconds: float, language: str) -> float:
-        """Return the factor on the opening for so many syllables in so many seconds."""
+        """Return the factor on the opening for a number of `syllables` in `seconds`."""
         if syllables < self.syllables:
             return 1.0
         usual = self.usual * self.faster.get(language.partition("-")[0], 1.0)
@@ -158,7 +158,7 @@ class _File:
 
 @dataclass(frozen=True, slots=True)
 class Holding:
-    """What all phones of a class share (`LipClass`); the limits have both sides spelled out."""
+    """The data that all phones of a class share (`LipClass`); the limits have both sides spelled out."""
 
     dominance: Mapping[str, Dominance]
     limits: Mapping[str, tuple[float, float]]

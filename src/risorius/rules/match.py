@@ -23,7 +23,7 @@ LIDS = tuple(p.name for p in parameters_named("orbicularis_oculi_palpebralis"))
 HEAD = tuple(p.name for p in PARAMETERS if p.kind is Kind.HEAD)
 EYES = ("gaze_pitch", "gaze_yaw")
 SIDED = ("head_yaw", "head_roll", "gaze_yaw")
-# What is held to the end of a clip is released so long after it, seconds: later than any frame's time.
+# Seconds after the clip's end until gestures held to the end are released: later than any frame.
 _BEYOND = 0.1
 # No event is smaller than this share of its rule's size.
 _SMALLEST = 0.3
@@ -31,7 +31,7 @@ _SMALLEST = 0.3
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """What a rule makes of a unit. `targets`: its own, scaled; `size`: how far its gesture goes."""
+    """The event that a rule makes of a unit. `targets`: its own, scaled; `size`: how far its gesture goes."""
 
     rule: Rule
     unit: Unit

@@ -1,4 +1,4 @@
-"""Who speaks and how: profiles of speakers, and attitudes that lie over them (paper B, section 3.2.1)."""
+"""Profiles of speakers, and attitudes that modify them (paper B, section 3.2.1)."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ class Aversion:
 
 @dataclass(frozen=True, slots=True)
 class GazeHabits:
-    """Where the eyes go when no rule says.
+    """The habits of the eyes when no rule directs them.
 
     `speaking`, `listening`: how the eyes leave the listener; `directions`: weights of up, down and side;
     `pitch`, `yaw`: mean and deviation of how far they go, degrees; `scan`: mean seconds of a fixation on the
@@ -135,13 +135,13 @@ class Profile:
 
     @property
     def modulation(self) -> Modulation:
-        """What the speaker does more or less of."""
+        """The modulation of the speaker's rules."""
         return Modulation(self.rates, self.sizes)
 
 
 @dataclass(frozen=True, slots=True)
 class Attitude:
-    """What the speaker wants to convey: a modulation of the rules, and targets held throughout."""
+    """An attitude that the speaker conveys: a modulation of the rules, and targets held throughout."""
 
     name: str
     description: str
@@ -155,7 +155,7 @@ class Attitude:
 
     @property
     def modulation(self) -> Modulation:
-        """What the speaker does more or less of."""
+        """The modulation of the speaker's rules."""
         return Modulation(self.rates, self.sizes)
 
 
@@ -229,14 +229,14 @@ def profile_of(name: str, blinks: str | None = None) -> Profile:
 
 
 def profile(name: str) -> Profile:
-    """Return the profile `name`; raise ParameterError naming the nearest one if there is none."""
+    """Return the profile `name`; raise ParameterError, with the nearest one, if it is unknown."""
     if name not in profiles():
         raise ParameterError(unknown("profile", name, profiles()))
     return profiles()[name]
 
 
 def attitude(name: str) -> Attitude:
-    """Return the attitude `name`; raise ParameterError naming the nearest one if there is none."""
+    """Return the attitude `name`; raise ParameterError, with the nearest one, if it is unknown."""
     if name not in attitudes():
         raise ParameterError(unknown("attitude", name, attitudes()))
     return attitudes()[name]

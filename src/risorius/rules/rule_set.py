@@ -64,7 +64,7 @@ class RuleSet:
         return (entry.rule for entry in self.entries.values())
 
     def get(self, name: str) -> RuleEntry:
-        """Return the rule `name`; raise ParameterError naming the nearest one if there is none."""
+        """Return the rule `name`; raise ParameterError, with the nearest one, if it is unknown."""
         if name not in self.entries:
             raise ParameterError(unknown("rule", name, self.entries))
         return self.entries[name]

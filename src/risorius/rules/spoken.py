@@ -19,7 +19,7 @@ _SHOWN = 8
 
 
 class TimeRange(Protocol):
-    """What has a start and an end, in seconds."""
+    """Anything that has a start and an end, in seconds."""
 
     @property
     def start(self) -> float:

@@ -44,7 +44,7 @@ class TableEntry:
 
 @dataclass(frozen=True)
 class TableChanges:
-    """What files of rules change in tables: entries in order, and ids that are deleted."""
+    """Changes of tables in files of rules: entries in order, and deleted ids."""
 
     changed: tuple[TableEntry, ...] = ()
     deleted: frozenset[str] = field(default_factory=frozenset)

@@ -17,7 +17,7 @@ from .profiles import Profile, profile, profile_from, profile_texts
 
 @dataclass(frozen=True, slots=True)
 class Number:
-    """A number of a profile: its dotted key, value and range (null where there is no end)."""
+    """A number of a profile: its dotted key, value and range (null for an open end)."""
 
     key: str
     value: float

@@ -48,7 +48,7 @@ class Units:
 
     @cached_property
     def _spoken(self) -> dict[Level, Callable[[], Iterator[Unit]]]:
-        """What makes the units of each level of speech."""
+        """The function that makes the units of each level of speech."""
         assert self._said is not None
         spoken = SpokenUnits(self._said, self.situation)
         return {
