@@ -1,4 +1,4 @@
-"""What time it is in a performance: by the sound that is heard, or by the machine's clock."""
+"""The time in a performance, by the sound that is heard or by the machine's clock."""
 
 from __future__ import annotations
 

@@ -26,7 +26,7 @@ GREETINGS = {
     for asks, protocol in _ASKS.items()
     for version, dialect in _VERSIONS.items()
 }
-"""What receivers send before anything is sent to them."""
+"""The handshakes that receivers send before anything is sent to them."""
 
 _END = b"___iFacialMocap"
 """Ends each frame in a stream."""

@@ -25,7 +25,7 @@ class Line:
 
     @classmethod
     def named(cls, protocol: str, to: str, listen: str | None, options: Options | None) -> Line:
-        """Return the line to a receiver; raise InputError for what there is not, OutputError for no host."""
+        """Return the line to a receiver; raise InputError for an unknown option, OutputError for no host."""
         chosen, options = PROTOCOLS.get(protocol), options or Options()
         address = parse_address(listen or to, chosen.port)
         if listen is not None and not chosen.greetings:

@@ -15,21 +15,21 @@ NAMES = ("vrm0", "vrm1", "arkit", "ARKit")
 
 @dataclass(frozen=True, slots=True)
 class Asked:
-    """What a receiver's greeting asks for: a protocol, at its usual port, and the protocol's dialect."""
+    """The request in a receiver's handshake: a protocol, at its usual port, and the protocol's dialect."""
 
     protocol: str
     dialect: str
 
 
 Greetings = Mapping[bytes, Asked]
-"""What a receiver may say to be sent something."""
+"""The handshakes of receivers, and what each requests."""
 
 
 @dataclass(frozen=True, slots=True)
 class Options:
     """`subject`: the subject name; receivers use it to distinguish faces. `names` of expressions over VMC:
     the presets of VRM 0 or VRM 1, or the 52 shapes (Perfect Sync) with a small or a capital first letter.
-    `dialect`: what the receiver's greeting asked for, where the protocol has one.
+    `dialect`: that of the receiver's handshake, if the protocol has dialects.
     """
 
     subject: str = "risorius"
