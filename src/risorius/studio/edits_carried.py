@@ -29,7 +29,7 @@ class _MisfitEditError(Exception):
 
 @dataclass(slots=True)
 class _Places:
-    """Which movement of a new plan each movement of the old one is, and where times lie."""
+    """The movement and the times of a new plan that correspond to those of the old one."""
 
     times: WordTimes
     before: Version

@@ -84,7 +84,7 @@ def _by_rule(score: Score) -> dict[str, list[Movement]]:
 
 
 def profile_save(session: Session, request: requests.ProfileText, progress: Progress) -> answers.ProfileFile:
-    """Return a profile with changed numbers as a file; unchanged under its own name if there are none."""
+    """Return a profile with changed numbers as a file; unchanged under its own name if none changed."""
     return answers.ProfileFile(request.name, tuned_text(request.base, request.name, request.numbers))
 
 

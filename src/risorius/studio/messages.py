@@ -38,7 +38,7 @@ class BadRequestError(RisoriusError):
 
 @dataclass(frozen=True, slots=True)
 class _Beside:
-    """What a preview asks beside its edit."""
+    """Fields of a preview beside its edit."""
 
     face: Seconds | None = None
 

@@ -107,14 +107,14 @@ class ProjectDocument:
 
 @dataclass(frozen=True, slots=True)
 class Opened:
-    """What a project holds."""
+    """A project that has been opened."""
 
     version: Version
     view: PageView
 
 
 class Changes(Protocol):
-    """What both kinds of documents save of what a user has changed."""
+    """A user's changes that both kinds of documents save."""
 
     @property
     def edits(self) -> tuple[Edit, ...]:
@@ -130,7 +130,7 @@ class Changes(Protocol):
 
     @property
     def lanes(self) -> LaneStates:
-        """What is muted, solo and locked."""
+        """The lanes that are muted, solo and locked."""
 
 
 def header(version: Version, view: PageView) -> dict[str, Any]:

@@ -30,7 +30,7 @@ from .wire.views import PageView
 
 # Seconds after a change for which the skin still moves otherwise: 9 times as long as it takes to forget.
 SETTLING = 0.5
-# What opening a project is called among what can be undone.
+# The name of opening a project in the history.
 OPENED = "open the project"
 
 
@@ -85,7 +85,7 @@ class Session:
         """Prepare the answer to `perform` with the same fields if the text is short."""
         inputs = shared.TakeInputs(request.source, request.choices, request.emotions)
         if worth_it(inputs.source) and not self._prefetched(inputs):
-            # What cannot be performed is said when it is asked for.
+            # An error is reported once the text is performed.
             with suppress(RisoriusError):
                 version = self._performer.perform(inputs, quiet)
                 self._prefetch = Prefetch(inputs, version, self._performed(version))
@@ -228,7 +228,7 @@ class Session:
     def _take_up(self, version: Version, history: History[Version], what: str) -> None:
         """Go on with a version; on an error, nothing changes."""
         step = replace(version, score=version.base, edits=())
-        # What was here before must not be pushed out by the edits of what is opened.
+        # The edits of the opened version must not push older states out of the history.
         at_once = max(0, len(version.edits) - limits.UNDO // 2)
         for edit in version.edits[:at_once]:
             step = step.changed(edit)

@@ -48,7 +48,7 @@ class SessionFiles:
         return tuple(sorted(p.name for p in folder.iterdir())) if folder.is_dir() else ()
 
     def recording(self, name: str) -> Path:
-        """Return a recording's file; raise InputError with the nearest name if there is none."""
+        """Return a recording's file; raise InputError with the nearest name if it does not exist."""
         if name not in self.recordings():
             raise InputError(unknown("recording", name, self.recordings()))
         return self.folder / "recordings" / name

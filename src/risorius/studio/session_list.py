@@ -16,7 +16,7 @@ from .session_files import write_text
 from .uploads import BEGINNING
 
 NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,39}")
-"""What a session may be called in the address."""
+"""Names that a session may have in the address."""
 ABOUT = "about.json"
 DELETED = ".deleted"
 MOST_LISTED = 200

@@ -1,4 +1,4 @@
-"""What the page fetches at first: every table of the library, and how faces are unpacked."""
+"""The tables that the page fetches at first: all of the library, and how faces are unpacked."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ class ProfileRow:
 
 @dataclass(frozen=True, slots=True)
 class AttitudeRow:
-    """What a speaker may want to convey."""
+    """An attitude that a speaker may convey."""
 
     name: str
     description: str

@@ -1,4 +1,4 @@
-"""Where the times of a line lie in the same line with another text: by its words and phones."""
+"""Map the times of a line to the same line with another text, by its words and phones."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Stretched:
 
 
 class WordTimes:
-    """Where the times of one utterance lie in another.
+    """A map from the times of one utterance to those of another.
 
     Words that are the same are followed phone by phone; where as many words stand in place of others, each
     follows one. A pause belongs to the word before it.

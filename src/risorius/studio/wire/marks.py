@@ -1,4 +1,4 @@
-"""What a user adds to a take beside its movements: markers, and which lanes are muted, alone or locked."""
+"""A user's additions to a take beside its movements: markers, and lanes muted, alone or locked."""
 
 from __future__ import annotations
 
