@@ -35,11 +35,11 @@ DATA = Path("src/risorius/speech/alignment/data")
 NUMBERS = {phone: CLASSES.index(sound) for phone, sound in inventory().sound_classes().items()}
 Learned = dict[str, AnyArray]
 """The arrays of the file by name (`model_of`)."""
-# A median of n errors counts as n of so many more.
+# A median of n errors is weighted n / (n + PRIOR_ERRORS).
 PRIOR_ERRORS = 3
 # Penalties on squared weights: common to all edges, and of one class.
 COMMON_PENALTY, CLASS_PENALTY = 1.0, 10.0
-# Seconds: labels are taken to be so exact.
+# Seconds: the assumed accuracy of labels.
 LABEL_SPREAD = 0.005
 # Errors beyond this are other phones than those labelled.
 MISMATCH = 0.15
