@@ -30,10 +30,10 @@ WEAKER = "there is no transcript: words are recognized from the sound, with erro
 
 @dataclass(frozen=True, slots=True)
 class Recording:
-    """A recorded voice: the file `audio`, and what is known of what it says.
+    """A recorded voice: the file `audio`, and what is known of its words.
 
-    `transcript`: the words; `script`: what is marked, and the words where there is no transcript. Without
-    either, the words are recognized. `language` is that of the words, by default the script's, or English.
+    `transcript`: the words; `script`: the marks, and the words if there is no transcript. Without either, the
+    words are recognized. `language` is that of the words, by default the script's, or English.
     """
 
     audio: str | PathLike[str]
@@ -92,7 +92,7 @@ def hear_words(
     progress: Progress = quiet,
     language: str | None = None,
 ) -> Utterance:
-    """Return what is said when, and how, in a recording; its words are recognized if None are given.
+    """Return the utterance of a recording, with times; its words are recognized if none are given.
 
     `language` is that of the words that are given, by default English.
     """

@@ -18,7 +18,7 @@ TRANSCRIPT_SUFFIXES = (".txt", ".lab")
 
 @dataclass(frozen=True, slots=True)
 class Input:
-    """What is to be performed, as a user names it.
+    """An input to be performed, as a user names it.
 
     `script`: a text or the name of a file, a TextGrid among them; `text` takes it as a text whatever it looks
     like, `name` stands for it in messages. `audio`: the file of a recording; `transcript`: its words, or the

@@ -1,4 +1,4 @@
-"""What was spoken before, for whoever speaks a text again that has grown or changed."""
+"""Keep earlier speech, so that a text that has grown or changed is not spoken anew."""
 
 from __future__ import annotations
 

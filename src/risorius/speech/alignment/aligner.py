@@ -52,7 +52,7 @@ def align(
 
 
 class Located(NamedTuple):
-    """What is said when: phones and silences, contiguous; the words they are of, and these' language."""
+    """An alignment: phones and silences, contiguous; the words that they belong to, and their language."""
 
     phones: Sequence[AlignedPhone]
     words: Sequence[ScriptWord]

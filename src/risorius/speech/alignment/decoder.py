@@ -54,7 +54,7 @@ class AlignedPhone(NamedTuple):
 
 
 class HeardSegment(NamedTuple):
-    """What is heard in [start, end) seconds: a word or a phone by `name`, or noise that is not `spoken`."""
+    """A segment heard in [start, end) seconds: a word or a phone by `name`, or noise that is not `spoken`."""
 
     name: str
     start: float
@@ -86,7 +86,7 @@ class Decoders:
     def align_words(self, sound: Array, words: Sequence[Readings]) -> list[AlignedPhone]:
         """Return the phones and silences of `sound` (16 kHz), in which all `words` are said in order.
 
-        They follow one another without gaps. Raises AlignmentError if there is no room for so many words.
+        They follow one another without gaps. Raises AlignmentError if the sound is too short for the words.
         """
         return _aligned(self._aligner, sound, words)
 
@@ -123,7 +123,7 @@ class _Process:
         self._failed = False
 
     def ask(self, op: str, sound: Array, words: Sequence[Readings] = ()) -> dict[str, Any]:
-        """Return the answer to a request; raise WorkerError if there is none, now or before."""
+        """Return the answer to a request; raise WorkerError if the worker fails, now or before."""
         if self._failed:
             raise WorkerError("it has ended")
         if self._worker is None:

@@ -32,7 +32,7 @@ OWN = DoubtLimits(-50.0, -38.0)
 # transcript the median was -56 to -92. Human voices are not measured.
 FOREIGN = DoubtLimits(-110.0, -52.0)
 WRONG_SHARE = 0.6
-# Of another's transcript at least 45 words in 100 were in doubt, of the right one at most 17 (a third of
+# In a wrong transcript at least 45 words in 100 were in doubt, in the right one at most 17 (a third of
 # TIMIT's development sentences). A synthetic voice may be poor in most words, and in doubt in one.
 DOUBTFUL_SHARE = 0.25
 # Silence so unlikely, and so long (seconds), is speech that the transcript lacks.

@@ -21,7 +21,7 @@ from .lexicon import ScriptWord, read_transcript
 
 # Seconds by which a word may begin before the one before it ends, and end after the sound: times are rounded.
 OVERLAP, BEYOND = 0.05, 0.1
-# A shorter gap between two words is no silence: the first one fills it.
+# A shorter gap between two words is not a silence: the first word fills it.
 SHORTEST_PAUSE = 0.05
 _LEAST = 0.01
 

@@ -1,4 +1,4 @@
-"""Where the voice ends before a silence, and the edge inside a sound that two words share.
+"""Find the end of the voice before a silence, and the edge inside a sound that two words share.
 
 Before a silence the decoder lets a vowel, nasal or liquid last as long as anything of it is heard: soft
 breath and the echo of the room, up to 120 ms beyond the voice. There it ends where the voice does, as a

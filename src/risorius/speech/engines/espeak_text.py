@@ -130,7 +130,7 @@ def _silence(pause: Break) -> str:
 
 
 def _dictation(span: DirectedSpan | None, language: Language) -> str | None:
-    """Return the mnemonics of a span's phones; None where there are none, or the voice takes none."""
+    """Return the mnemonics of a span's phones; None if there are no mnemonics, or the voice takes none."""
     if span is None:
         return None
     spelling = dictated(span.phones, language)

@@ -1,4 +1,4 @@
-"""What a speech engine is: something that turns a stretch of text into sound with timed phones."""
+"""The interface of speech engines, which turn a stretch of text into sound with timed phones."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where phrases end, and the tones with which they do."""
+"""Find the ends of phrases, and the tones with which they end."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What makes a syllable stand out: how high, loud and long it is beside the others."""
+"""Cues that make a syllable stand out: its pitch, loudness and length beside the others."""
 
 from __future__ import annotations
 

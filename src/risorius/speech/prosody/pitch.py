@@ -49,7 +49,7 @@ class Pitch:
 
     @property
     def semitones(self) -> Array:
-        """F0 in semitones above 1 Hz, NaN where there is no voice."""
+        """F0 in semitones above 1 Hz, NaN in unvoiced frames."""
         return np.asarray(12.0 * np.log2(self.hertz))
 
 

@@ -63,11 +63,11 @@ class SoundDigest:
         self._block = np.zeros(0, np.int16)
 
     def reaches(self, audio: Audio, samples: int) -> bool:
-        """Tell whether it can digest this sound up to so many samples."""
+        """Tell whether it can digest this sound up to `samples`."""
         return audio is self._audio and samples >= self._read
 
     def up_to(self, samples: int) -> bytes:
-        """Return the digest of so many samples, or of all if there are fewer; no fewer than last time."""
+        """Return the digest of the first `samples`, or of all of them; at least as many as last time."""
         while self._read < samples:
             if not len(self._block):
                 following = next(self._blocks, None)

@@ -146,7 +146,7 @@ class SpeakerStatistics:
 
 
 def unknown_speaker() -> SpeakerStatistics:
-    """Return what is known of a speaker who has not been heard: how people speak."""
+    """Return the statistics of a speaker who has not been heard: those of people in general."""
     usual = priors()
     known = (usual.pitch.deviation / usual.pitch.between) ** 2
     return _speaker(usual.pitch.mean, usual.pitch.deviation, known, known)

@@ -28,7 +28,7 @@ from .tone_labels import read_tones, tells_accents, tells_boundaries
 
 WORD_TIERS = ("words", "word", "orthography", "ort", "ort-mau", "wrd")
 PHONE_TIERS = ("phones", "phone", "phonemes", "phoneme", "segments", "mau", "phn", "sounds")
-# Seconds: labels so near to each other touch, and so much may the last reach beyond the recording.
+# Seconds: the largest gap of labels that touch, and the most that the last may reach beyond the recording.
 TOUCHING, BEYOND = 0.002, 0.1
 SHORTEST = 1e-4
 # The language of labels in ARPAbet, and of others.

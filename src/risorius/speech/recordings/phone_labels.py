@@ -1,4 +1,4 @@
-"""What a phone tier's labels stand for: ARPAbet with or without stress digits, IPA, or silence."""
+"""The meaning of a phone tier's labels: ARPAbet with or without stress digits, IPA, or silence."""
 
 from __future__ import annotations
 

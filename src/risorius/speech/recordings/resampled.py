@@ -13,7 +13,7 @@ from ...core.audio import Audio
 from ..filters import low_pass, with_rate
 
 RATE = 16_000
-# Where the loud frames of speech are brought, in units of 16-bit samples (root mean square).
+# The level to which the loud frames of speech are brought, in units of 16-bit samples (root mean square).
 SPEECH_LEVEL = 2_500.0
 # Seconds per frame of `levels`.
 LEVEL_STEP = 0.01
@@ -92,7 +92,7 @@ def _frame_levels(audio: Audio, frames: range, step: float) -> Float32Array:
 
 
 def _resampled(audio: Audio, first: int, count: int) -> Array:
-    """Return `count` samples at 16 kHz from sample `first` (at 16 kHz) on, zeros where there is no sound."""
+    """Return `count` samples at 16 kHz from sample `first` (at 16 kHz) on, zeros outside the sound."""
     divisor = math.gcd(RATE, audio.sample_rate)
     up, down = RATE // divisor, audio.sample_rate // divisor
     # The filter's phase repeats every `down` samples: begin at such a sample, with room for the filter.

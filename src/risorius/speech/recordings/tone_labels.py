@@ -13,7 +13,7 @@ from ...errors import InputError, Place, unknown
 from ...script.textgrid import POINTS, Label, TextGrid, Tier
 from ..structure.nuclei import with_nuclei
 
-# What may stand in tiers of these names.
+# Labels that may stand in tiers of these names.
 ACCENTS, BOUNDARIES = (*PITCH_ACCENTS, UNKNOWN_ACCENT), (*BOUNDARY_TONES, UNKNOWN_BOUNDARY)
 TIERS = {
     "accents": ACCENTS,
@@ -24,7 +24,7 @@ TIERS = {
 
 
 class Tones(NamedTuple):
-    """What the tiers say."""
+    """The accents and boundaries of the tiers."""
 
     accents: tuple[Accent, ...]
     boundaries: tuple[Boundary, ...]

@@ -41,7 +41,7 @@ class EdgeShift:
 def edge_of(utterance: Utterance, phone: int, shift: float) -> EdgeShift:
     """Return the shift of the edge at which a phone, by its index, begins.
 
-    Raises InputError for what has no word before it, and where there is no such phone.
+    Raises InputError for a phone without a word before it, and for an index out of range.
     """
     if not 0 < phone < len(utterance.phones):
         raise InputError(f"there is no edge {phone}; expected 1 to {len(utterance.phones) - 1}")

@@ -56,7 +56,7 @@ def _pause(
 def _kind(
     text: str, phone: Phone, words: Sequence[Word], before: int, after: int, language: Language
 ) -> PauseKind | None:
-    """Return what the silence between two words, by their index, stands for; -1: there is no such word."""
+    """Return what the silence between two words, by their index, stands for; -1: no word on that side."""
     if before < 0:
         return PauseKind.INITIAL
     if after < 0:

@@ -8,7 +8,7 @@ from itertools import dropwhile
 from ...core.utterance import Question
 from ...languages import Language, Questions, plain_word
 
-# A sentence says how it asks with one of so many words.
+# The first words of a sentence among which its question word is sought.
 _FIRST_WORDS = 2
 
 
