@@ -1,4 +1,4 @@
-"""What users call: speak, align, mix, load, play, pose, rig. The forms of arguments become stages here."""
+"""The public functions: speak, align, mix, load, play, pose, rig. They convert arguments and call stages."""
 
 from __future__ import annotations
 
@@ -116,7 +116,7 @@ def load(performance: FileName, *, settings: Settings | None = None) -> Take:
     """
     settings = checked(settings)
     file = read_performance_file(path_of(performance))
-    # Its own frame rate is no change.
+    # The file's own frame rate does not count as a change.
     compared = replace(settings, fps=Settings().fps) if settings.fps == file.performance.fps else settings
     refuse(compared, PERFORMANCE, Place(str(performance)))
     return Take(file.performance, replace(settings, fps=file.performance.fps), file.utterance)
@@ -212,7 +212,7 @@ def rig(
 def displays_of(emotion: Emotions, settings: Settings) -> Displays:
     """Return the displays that a user asks for, of our emotions and those of the settings' rules.
 
-    Raises InputError for what is none.
+    Raises InputError for an invalid display.
     """
     if isinstance(emotion, Mapping):
         emotion = [Display(name, intensity) for name, intensity in emotion.items()]
@@ -252,7 +252,7 @@ def _text_or_file(words: object) -> str | None:
 def checked(settings: Settings | None) -> Settings:
     """Return the settings, by default the usual ones.
 
-    Raises InputError for what is none, and for a background that would fail only after all else is done.
+    Raises InputError for invalid settings, and for a background that would fail only after all else is done.
     """
     if settings is None:
         return Settings()

@@ -21,7 +21,7 @@ _receiver: ContextVar[Callable[[str], None] | None] = ContextVar("receiver of wa
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where in a source something stands: file name, line and column counted from 1."""
+    """A place in a source: file name, line and column counted from 1."""
 
     file: str
     line: int | None = None

@@ -27,31 +27,31 @@ if TYPE_CHECKING:
     from .core.score import BlendSettings
 
     class FrameRate:
-        """What type checkers know of a frame rate: any number or text is one, and a fraction is kept."""
+        """The type of a frame rate for type checkers: any number or text, and a fraction is kept."""
 
         def __get__(self, settings: object, owner: object = None) -> Fraction: ...
         def __set__(self, settings: object, rate: Fraction | float | str) -> None: ...
 
     class FileName:
-        """What type checkers know of a file's name: a text is one, and a path is kept."""
+        """The type of a file's name for type checkers: a text is accepted, and a path is kept."""
 
         def __get__(self, settings: object, owner: object = None) -> Path | None: ...
         def __set__(self, settings: object, name: str | PathLike[str] | None) -> None: ...
 
     class PictureSize:
-        """What type checkers know of a picture's size: "640x480" or (640, 480); a tuple is kept."""
+        """The type of a picture's size for type checkers: "640x480" or (640, 480); a tuple is kept."""
 
         def __get__(self, settings: object, owner: object = None) -> tuple[int, int]: ...
         def __set__(self, settings: object, size: str | Sequence[int]) -> None: ...
 
     class NameList:
-        """What type checkers know of several names: one text or a sequence; a tuple is kept."""
+        """The type of several names for type checkers: one text or a sequence; a tuple is kept."""
 
         def __get__(self, settings: object, owner: object = None) -> tuple[str, ...]: ...
         def __set__(self, settings: object, names: str | Sequence[str]) -> None: ...
 
     class Complexion:
-        """What type checkers know of a complexion: "tan" or 0.5; a number is kept."""
+        """The type of a complexion for type checkers: "tan" or 0.5; a number is kept."""
 
         def __get__(self, settings: object, owner: object = None) -> float | None: ...
         def __set__(self, settings: object, complexion: str | float | None) -> None: ...
@@ -88,7 +88,7 @@ _output = partial(setting, Stage.OUTPUT, Group.PICTURE)
 
 
 def parse_size(text: str) -> tuple[int, int]:
-    """Return width and height of a text such as "720x720"; raise InputError if it is none."""
+    """Return width and height of a text such as "720x720"; raise InputError for any other text."""
     match = re.fullmatch(r"(\d{1,5})[xX×](\d{1,5})", text.strip())
     if match is None:
         raise InputError(f"size '{text}' is not a size; expected e.g. 720x720")
@@ -345,8 +345,9 @@ def settings_of(values: Mapping[str, object], base: Settings | None = None) -> S
     """Return `base`, by default the default settings, with values by name, those of `look` and `blend` among
     them; None leaves a setting as it is.
 
-    A text for what is no text is read as on the command line: fps "24000/1001", camera "close-up:135", and
-    several with semicolons. Raises InputError for an unknown name, or a value that the setting cannot have.
+    A text for a setting of another type is read as on the command line: fps "24000/1001", camera
+    "close-up:135", and several with semicolons. Raises InputError for an unknown name, or a value that the
+    setting cannot have.
     """
     base, table = base or Settings(), rows(Settings)
     chosen: dict[str, dict[str, Any]] = {"look": {}, "blend": {}, "": {}}

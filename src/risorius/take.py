@@ -41,11 +41,11 @@ _MUSCLES = frozenset(p.name for p in MUSCLES)
 
 @dataclass(repr=False)
 class Take:
-    """What `speak`, `mix` and `pose` return.
+    """The result of `speak`, `mix` and `pose`.
 
-    `utterance` is None where nothing is said; `sound` is heard in place of the voice where it is given. Faces
+    `utterance` is None if nothing is said; `sound`, if given, is heard in place of the voice. Faces
     and pictures are made when they are asked for, one frame at a time. `planned` is the plan that the
-    performance was made by, where it is still there. Takes that share a `cache` solve faces one after the
+    performance was made by, if it is still there. Takes that share a `cache` solve faces one after the
     other, with solvers that are made once.
     """
 
@@ -89,7 +89,7 @@ class Take:
     def explain(self, time: float, parameter: str | None = None) -> tuple[Explanation, ...]:
         """Say why parameters have their values at a time in seconds: winner, losers and reasons.
 
-        `parameter` is a name with or without its side; all that moves at `time` where it is None. Raises
+        `parameter` is a name with or without its side; if it is None, all that moves at `time`. Raises
         ParameterError for an unknown name, InputError for a time outside the performance.
         """
         from .blend import explain
@@ -145,8 +145,8 @@ class Take:
     ) -> Iterator[FaceFrame]:
         """Yield the face of every frame, or of the frames in `indices`, one at a time.
 
-        A frame is the same whichever others are asked for: with a skin of springs, those before it are gone
-        through, or with `lead_in` only those in so many seconds before the first (1 s: equal to 1e-6 mm).
+        A frame is the same whichever others are asked for: with a skin of springs, those before it are
+        computed too, or only those in the last `lead_in` seconds before the first (1 s: equal to 1e-6 mm).
         `solver` is one that the caller keeps warm, made as `make_solver` does. With `reuse` each frame is
         valid until the next is asked for, and no array is made for it.
         """
@@ -252,7 +252,7 @@ class Take:
 
     @property
     def audio(self) -> Audio | None:
-        """What is heard: `sound`, or else the voice; None if there is neither."""
+        """The audible sound: `sound`, or else the voice; None if there is neither."""
         return self.sound or (self.utterance.audio if self.utterance else None)
 
     def measures(self, frame: FaceFrame) -> list[float]:
