@@ -281,7 +281,7 @@ class Take:
     def arkit(self) -> ArkitTrack:
         """The performance as weights of ARKit's 52 shapes, with what they leave over in mm.
 
-        Raises HeadError where the head has no such shapes.
+        Raises HeadError if the head has no such shapes.
         """
         from .face.arkit_fit import ArkitFit
 
@@ -385,7 +385,7 @@ def lip_rig(score: Score, head: str) -> LipRig | None:
 
 
 def with_profile(settings: Settings) -> Settings:
-    """Return settings with the age and the wrinkles of their profile where they choose none."""
+    """Return settings with the age and the wrinkles of their profile if they choose none."""
     profile = profile_of(settings.profile)
     age = profile.age if settings.age is None else settings.age
     return replace(settings, age=age, wrinkles={**profile.wrinkles, **settings.wrinkles})

@@ -27,7 +27,7 @@ SLOW, USUAL, FAST = 0.7, 2.5, 5.5
 
 
 class Report(Scratch):
-    """Gathers results, on disk where they are many, and writes `report.csv` and `report.html` in a folder."""
+    """Gathers results, on disk if they are many, and writes `report.csv` and `report.html` in a folder."""
 
     def __init__(self, folder: Path, shard: str = "") -> None:
         name = f"report{shard and '-'}{shard}"

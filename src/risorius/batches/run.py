@@ -192,7 +192,7 @@ def _write_error(errors: IO[str], result: LineResult) -> None:
 
 
 class _Names(Scratch):
-    """The ids and outputs so far, on disk where they are many."""
+    """The ids and outputs so far, on disk if they are many."""
 
     def __init__(self) -> None:
         super().__init__("names (name TEXT PRIMARY KEY, place TEXT) WITHOUT ROWID")

@@ -65,7 +65,7 @@ class Knots:
     def between(self, start: float, stop: float) -> Array:
         """Return the knots from the last edge before `start` to the first after `stop`, shape (m,).
 
-        Where an edge is more than a block away, the knots begin or end at the one just beyond.
+        If an edge is more than a block away, the knots begin or end at the one just beyond.
         """
         first = max(int(np.searchsorted(self.edges, start, side="right")) - 1, 0)
         last = min(int(np.searchsorted(self.edges, stop, side="left")), len(self.edges) - 1)

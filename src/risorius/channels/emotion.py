@@ -60,7 +60,7 @@ def _placed(display: Display, duration: float) -> Display:
 def _movements(
     display: Display, number: int, displays: Sequence[Display], duration: float
 ) -> Iterator[Movement]:
-    """Yield a display, in parts where others begin or end beside it: in company it may show less.
+    """Yield a display, in parts if others begin or end beside it: in company it may show less.
 
     One that lasts as long as the clip is not released in it: the last pause is stillness.
     """

@@ -63,7 +63,7 @@ def head_duration(degrees: float) -> float:
 
 
 def head_help(mark: Movement) -> Movement | None:
-    """Return the head's share of a marked look, the eyes turned against it; None where they go alone.
+    """Return the head's share of a marked look, the eyes turned against it; None if they go alone.
 
     The mark stays as it is written: eyes and head together look where it says.
     """
@@ -160,7 +160,7 @@ def shifts_of(
 ) -> Iterator[Movement]:
     """Yield the movements of eyes, head and lids for shifts of gaze in order of time.
 
-    A shift that comes while the last one is under way waits for it, and is left out where the next one comes
+    A shift that comes while the last one is under way waits for it, and is left out if the next one comes
     first. `habits` say how probable a blink is with a shift by 33 degrees; see `blinks_with`.
     """
     pose = _Pose()

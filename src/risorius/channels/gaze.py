@@ -131,7 +131,7 @@ def _apart(looks: Sequence[Glance]) -> list[Glance]:
 def _commanded(
     inputs: ChannelInputs, marked: Sequence[Glance], ends: _Ends, context: Context
 ) -> list[Glance]:
-    """Return the marked looks, and those of rules where they do not stand against them, one after another."""
+    """Return the marked looks, and those of rules if they do not stand against them, one after another."""
     looks = list(marked)
     events = [e for e in context.events if e.rule.effect.look is not None]
     smiles = _smiles(inputs)

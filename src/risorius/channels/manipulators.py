@@ -33,7 +33,7 @@ WaitReset = tuple[float, float, float]
 
 
 def manipulators(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
-    """Yield the marked blinks, those of rules, and others where too much time passes without one."""
+    """Yield the marked blinks, those of rules, and others if too much time passes without one."""
     known = list(marked_and_ruled(inputs, context))
     yield from known
     habits, boundaries = inputs.profile.blinks, inputs.units.boundaries
@@ -123,7 +123,7 @@ def itti_wait(numbers: Counted, wait: float) -> float:
 
 
 # A blink's timing: paper B, section 5 (1/8 s of closure, 1/24 s closed, 1/12 s of aperture). Built last: no
-# blink is added where another channel has one.
+# blink is added if another channel has one.
 register(
     "manipulators",
     50.0,

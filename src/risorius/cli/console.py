@@ -30,13 +30,13 @@ class Interrupted(KeyboardInterrupt):
 
 
 def interrupt(number: int, frame: FrameType | None) -> None:
-    """Handle a signal: stop here, or at the next step where the exception is lost in foreign code."""
+    """Handle a signal: stop here, or at the next step if the exception is lost in foreign code."""
     _interrupted.set()
     raise Interrupted
 
 
 class Console:
-    """Says what is being done: by a bar where a person watches, by lines or JSON (`messages`) otherwise."""
+    """Says what is being done: by a bar if a person watches, by lines or JSON (`messages`) otherwise."""
 
     def __init__(self) -> None:
         self._bar: Progress | None = None
@@ -69,7 +69,7 @@ class Console:
             send(line, **parts)
 
     def progress(self, stage: str, done: int = 0, total: int = 0, note: str = "") -> None:
-        """Say that `stage` goes on: `done` of `total` steps, or that it began where total is 0.
+        """Say that `stage` goes on: `done` of `total` steps, or that it began if total is 0.
 
         `note` stands behind the bar. Without a bar a line comes every `INTERVAL` seconds, and at the end.
         """

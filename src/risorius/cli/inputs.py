@@ -20,7 +20,7 @@ LONGEST_INPUT = 4_000_000
 
 @dataclass(frozen=True, slots=True)
 class Spoken:
-    """INPUT and the options of `input_options`; raises RisoriusError where nothing is left to perform."""
+    """INPUT and the options of `input_options`; raises RisoriusError if nothing is left to perform."""
 
     source: str | None
     is_text: bool

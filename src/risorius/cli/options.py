@@ -122,7 +122,7 @@ class NumberIn(click.ParamType[float]):
 
 
 class Named(click.ParamType[str]):
-    """A text that begins with a name: the names complete it, several where commas separate them."""
+    """A text that begins with a name: the names complete it, several if commas separate them."""
 
     def __init__(self, names: Names, *, after: str = "", separator: str = "") -> None:
         self.name, self._names, self._after, self._separator = "text", names, after, separator

@@ -37,7 +37,7 @@ class Movement:
     Times in seconds, read to the nearest tick. `targets` maps action units (`AU12.left`) and parameters to
     values; `parameters` has all as parameters. `priority` and
     `release_priority` (in the offset phase): None for the priority of the channel. `on_top`: a muscle adds to
-    what the others leave of it, x + (1 - x)·F, where else the larger of both counts.
+    what the others leave of it, x + (1 - x)·F, instead of the larger of both.
     """
 
     channel: str

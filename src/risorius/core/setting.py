@@ -102,7 +102,7 @@ class Setting:
     `label`: its name on a page. `flag`: its option, None if the command line has none; `metavar`: what stands
     for its value in help. `low`, `high`: its range, also of each of several amounts; `step` of a control.
     `names`: what it may be called, `what` errors call one of them; `find`, the path of a function, raises for
-    a name that is not known, where files may be named as well. `usual`: what None comes to where a script
+    a name that is not known, where files may be named as well. `usual`: what None comes to if a script
     is planned; `unset`: what None means, in words. `read`, a function or its path, makes a value of a text;
     `fills` names the settings that such a text gives if they are more than one. `on_page`: whether the studio
     shows it.
@@ -222,7 +222,7 @@ class Row:
 
     @property
     def usual(self) -> Any:
-        """Its value where nobody chooses it."""
+        """Its value if nobody chooses it."""
         return self.entry.usual if self.default is None else self.default
 
     @property
@@ -236,7 +236,7 @@ class Row:
         return self.kind is ValueKind.AMOUNTS or (self.kind is ValueKind.SEVERAL and self.entry.read is None)
 
     def read(self, text: str) -> Any:
-        """Return the value that a text stands for, one of several where it has several.
+        """Return the value that a text stands for, one of several if it has several.
 
         Raises InputError if the text does not fit.
         """

@@ -4,7 +4,7 @@ Muscles that push one lip from two sides hold each other: one at activation a wh
 a (1 − y a b), with y of `YIELDS`. Each alone is exact, and more activation never moves the skin less, because
 no muscle can lose more than a half.
 
-Two muscles can also move together what neither moves alone: where the muscles that draw the corner of the
+Two muscles can also move together what neither moves alone: if the muscles that draw the corner of the
 mouth back and down hold each other, it goes in. Such a joint field acts by the share p / (p + HALF²) (1 − p²)
 of the product p of both activations: it needs both, is half where each is HALF, and ends where both contract
 fully: there their own fields are the whole.

@@ -250,7 +250,7 @@ def keep_tight(
     """Keep of the first `count` contacts those that are narrower than `near` mm or must be; return how many.
 
     A gap must not be below the first of the `bounds` (mm), and the narrowest one about each place between
-    `ends` (2, 4) not above the second, where that is finite (see `narrowest`); `high` (k,) is written, the
+    `ends` (2, 4) not above the second, if that is finite (see `narrowest`); `high` (k,) is written, the
     upper bound of each gap that is kept. If no gap is out of its bounds by more than `slack`, none is kept.
     """
     low, widest = bounds

@@ -105,7 +105,7 @@ class IntonationTable:
     voice: Voicing
 
     def accent_of(self, candidate: Candidate) -> AccentRule | None:
-        """Return the first rule that fits a candidate, None where it gets no accent."""
+        """Return the first rule that fits a candidate, None if it gets no accent."""
         rule = next((rule for rule in self.accent if rule.fits(candidate)), None)
         return rule if rule is not None and rule.label is not None else None
 

@@ -21,7 +21,7 @@ class PhonePart(NamedTuple):
 
 
 class ArpabetReading(NamedTuple):
-    """The ARPAbet parts of a foreign symbol; `known` is False where only the class of the sound was known."""
+    """The ARPAbet parts of a foreign symbol; `known` is False if only the class of the sound was known."""
 
     parts: tuple[PhonePart, ...]
     known: bool

@@ -393,7 +393,7 @@ class Live:
 
 
 def _weights(settings: Settings) -> LiveWeights:
-    """Return what fits weights, which loads the face only where they are asked for."""
+    """Return what fits weights, which loads the face only if they are asked for."""
     from .weights import LiveWeights
 
     return LiveWeights(settings)

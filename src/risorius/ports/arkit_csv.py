@@ -54,7 +54,7 @@ _ORDER = [INDEX[name[0].lower() + name[1:]] for name in CSV_SHAPES]
 
 
 def write_arkit_csv(take: WritableTake, path: Path, options: WriteOptions) -> None:
-    """Write one row per frame, ten decimals; raise OutputError where the head has no ARKit shapes."""
+    """Write one row per frame, ten decimals; raise OutputError if the head has no ARKit shapes."""
     write_lines(path, rows(take.fit_arkit(options.progress), take.performance.fps))
 
 
@@ -172,7 +172,7 @@ def _times(table: Table) -> Array:
 
 
 def _rate(seconds: Array, frames: Array) -> float:
-    """Return the frames of a second: as fit evenly where one ends, or the app's rate."""
+    """Return the frames of a second: as fit evenly if one ends, or the app's rate."""
     step, whole = np.diff(frames), np.diff(seconds)
     ends = whole == 1.0
     if not ends.any():

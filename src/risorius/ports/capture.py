@@ -76,7 +76,7 @@ class Header:
         return Place(str(self.path), self.line, _position(self.text, self.names.index(name)))
 
     def require(self, wanted: Sequence[str], kind: str) -> None:
-        """Raise InputError, naming the nearest column that there is, where one of `wanted` is missing."""
+        """Raise InputError, naming the nearest column that there is, if one of `wanted` is missing."""
         for name in wanted:
             if name not in self.names:
                 near = difflib.get_close_matches(name, self.names, n=1)
@@ -186,7 +186,7 @@ def _cells(line: str, place: Place) -> tuple[str, ...]:
 
 
 def _position(line: str, index: int) -> int | None:
-    """Return where a cell begins in its line, from 1; None where quotes hide it."""
+    """Return where a cell begins in its line, from 1; None if quotes hide it."""
     if '"' in line:
         return None
     cells = line.split(",")
@@ -210,7 +210,7 @@ def score_of_capture(times: Array, values: Array, source: str) -> ScoreFile:
 
 
 def check_times(times: Array, path: Path, lines: Sequence[int]) -> Array:
-    """Return times from 0 on; raise InputError where one does not come after the one before, or too late."""
+    """Return times from 0 on; raise InputError if one does not come after the one before, or too late."""
     wrong = np.flatnonzero(np.diff(times) <= 0.0)
     if len(wrong):
         line = lines[int(wrong[0]) + 1]

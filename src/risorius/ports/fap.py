@@ -67,7 +67,7 @@ class FapTake:
 def read_fap(path: Path) -> FapTake:
     """Read a `.fap` file with masks of 68 or 69 flags (Greta writes one more than the standard).
 
-    A value that is masked out holds the last one. Raises InputError where the header, a mask or a count is
+    A value that is masked out holds the last one. Raises InputError if the header, a mask or a count is
     wrong, or a frame's number does not come after the one before.
     """
     lines = ((at, line.split()) for at, line in read_lines(path) if line.strip())

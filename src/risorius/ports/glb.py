@@ -65,7 +65,7 @@ def write_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
 
 
 def write_rig_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
-    """Write the clip as weights of the 52 ARKit shapes; raise HeadError where the head has none."""
+    """Write the clip as weights of the 52 ARKit shapes; raise HeadError if the head has none."""
     head, track = take.shown_head, take.fit_arkit(options.progress)
     rms, worst = track.residual
     gltf = Gltf(**_asset(options, residual_rms_mm=round(rms, 4), residual_worst_mm=round(worst, 4)))
@@ -78,7 +78,7 @@ def write_rig_glb(take: WritableTake, path: Path, options: WriteOptions) -> None
 
 
 def rig_scene(head: Head, gltf: Gltf) -> GlbScene:
-    """Build the head at rest with its 52 shapes as morph targets; raise HeadError where it has none."""
+    """Build the head at rest with its 52 shapes as morph targets; raise HeadError if it has none."""
     model, shapes = head_model(head), arkit_shapes(head)
     parts, hairs = model.parts(), RidingHairs(model)
     moving = {name: _moves(hairs, _shape(shapes, index)) for index, name in enumerate(SHAPES)}

@@ -160,7 +160,7 @@ class GlbScene:
 
 
 def normals(points: Array, triangles: IntArray) -> Array:
-    """Return unit normals (n, 3) of a mesh's vertices; up where no triangle has an area."""
+    """Return unit normals (n, 3) of a mesh's vertices; up if no triangle has an area."""
     a, b, c = (points[triangles[:, k]] for k in range(3))
     across = np.cross(b - a, c - a)
     total = np.stack(

@@ -71,7 +71,7 @@ def _in_pause(before: str, after: str, seconds: float) -> str:
 
 
 def _taken(first: Cue, second: Cue, when: str) -> tuple[float, float] | None:
-    """Return the seconds that a shape in between takes of both, None where it would be too short."""
+    """Return the seconds that a shape in between takes of both, None if it would be too short."""
     before, after = _SHARES[when]
     rooms = [
         (cue.end - cue.start) * (before + after) for cue, share in ((first, before), (second, after)) if share

@@ -76,9 +76,9 @@ class Rig:
 
 
 def read_rig(path: Path, map_file: Path | None = None) -> Rig:
-    """Read a character; the map is guessed from names where no file gives it.
+    """Read a character; the map is guessed from names if no file gives it.
 
-    Raises InputError where the file has no morph targets, or the map is wrong.
+    Raises InputError if the file has no morph targets, or the map is wrong.
     """
     file = read_glb(path)
     targets = file.morph_targets()
@@ -91,7 +91,7 @@ def read_rig(path: Path, map_file: Path | None = None) -> Rig:
 
 
 def _read_map(path: Path, names: Sequence[str]) -> dict[str, str]:
-    """Return a map; InputError where it is empty, or a name is unknown or a target given twice."""
+    """Return a map; InputError if it is empty, or a name is unknown or a target given twice."""
     source = SourceText(str(path), read_text(path))
     shapes = parse(ShapeMap, source.text, source.name).shapes
     if not shapes:
@@ -110,7 +110,7 @@ def _read_map(path: Path, names: Sequence[str]) -> dict[str, str]:
 
 
 def check_performable(rig: Rig) -> None:
-    """Raise InputError where nothing of a performance would show on a character."""
+    """Raise InputError if nothing of a performance would show on a character."""
     place = Place(str(rig.file.path))
     if not rig.shapes:
         raise InputError("no morph target has the name of an ARKit shape; expected --map FILE", place)

@@ -34,7 +34,7 @@ def subtitles(utterance: Utterance) -> Iterator[Cue]:
 
 
 def _divided(phrases: Sequence[Phrase], shown: Sequence[str]) -> Iterator[tuple[int, int]]:
-    """Yield ranges of words that fill a cue each: whole phrases of a sentence where they fit."""
+    """Yield ranges of words that fill a cue each: whole phrases of a sentence if they fit."""
     first = last = phrases[0].first_word
     for phrase in phrases:
         if last > first and not _fits(shown[first : phrase.last_word]):

@@ -32,7 +32,7 @@ _SMALL = 1e-3  # mm: smaller displacements count as zero
 
 
 def write_usda(take: WritableTake, path: Path, options: WriteOptions) -> None:
-    """Write the stage; raise OutputError where usd-core is not installed."""
+    """Write the stage; raise OutputError if usd-core is not installed."""
     try:
         from pxr import Usd
     except ImportError:

@@ -82,7 +82,7 @@ def _read(text: str, name: str) -> dict[str, Any]:
 
 
 def _names() -> dict[str, Row]:
-    """Return the settings by their names, and by their options' where these have a value."""
+    """Return the settings by their names, and by their options' if these have a value."""
     return dict(_named(rows(Settings).values()))
 
 

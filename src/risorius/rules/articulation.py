@@ -77,7 +77,7 @@ class SpeechSound(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Articulation:
-    """The table `articulation.toml`. Raises InputError where its names do not fit those of the lips."""
+    """The table `articulation.toml`. Raises InputError if its names do not fit those of the lips."""
 
     vowel: Mapping[str, tuple[Share, Share, Share]]
     consonant: Mapping[str, Consonant]

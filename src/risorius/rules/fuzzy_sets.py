@@ -1,7 +1,7 @@
 """Fuzzy sets: triangles around centres whose memberships add up to 1, and the rules' weighted average.
 
 Singletons as consequents and the weighted average as defuzzification make a piecewise linear function:
-continuous, and monotone where the consequents are.
+continuous, and monotone if the consequents are.
 """
 
 from __future__ import annotations

@@ -59,7 +59,7 @@ class TurnAttitude:
 
 @dataclass(frozen=True, slots=True)
 class Durations:
-    """Seconds that a mark lasts where it does not say."""
+    """Seconds that a mark lasts if it does not say."""
 
     signal: MarkSeconds
     blink: MarkSeconds

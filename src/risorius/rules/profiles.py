@@ -85,7 +85,7 @@ class HeadHabits:
     """The smooth noise of a living head: deviations in degrees, seconds from one target to the next.
 
     `comma`, `final`: what is left of it in such pauses; `listening`: while another speaks. `melody`: degrees
-    of pitch by standard deviation of a syllable's pitch, where the sound was measured.
+    of pitch by standard deviation of a syllable's pitch, if the sound was measured.
     """
 
     pitch: DeviationDegrees

@@ -166,8 +166,8 @@ class Effect:
 class Timing:
     """When a rule's movement comes and goes, seconds.
 
-    It starts `lead` before the anchor, is held for `apex` (to the unit's end where None), and is snapped to
-    the phonemes' boundaries unless `snap` is false. `function`: an onset function, the channel's where None.
+    It starts `lead` before the anchor, is held for `apex` (to the unit's end if None), and is snapped to
+    the phonemes' boundaries unless `snap` is false. `function`: an onset function, the channel's if None.
     """
 
     at: RuleAnchor = RuleAnchor.START

@@ -199,7 +199,7 @@ def _check_own(file: RuleFile, own: Mapping[str, RuleEntry], rule_set: RuleSet, 
 
 
 def _circle(start: str, own: Mapping[str, RuleEntry]) -> tuple[str, ...]:
-    """Return the replacements that lead from a rule back to itself, nothing where none do."""
+    """Return the replacements that lead from a rule back to itself, nothing if none do."""
     waiting: list[tuple[str, ...]] = [(start,)]
     seen: set[str] = set()
     while waiting:

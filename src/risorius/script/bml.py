@@ -66,7 +66,7 @@ class _Reading:
             self.unknowns.tell(f"<{one_line(node.written)}>", node.place)
 
     def _face(self, node: XmlNode) -> None:
-        """Take up what a face holds, or, where it holds nothing, the face itself."""
+        """Take up what a face holds, or, if it holds nothing, the face itself."""
         children = list(node.elements())
         kind = "faceFacs" if node.get("au") is not None else "faceLexeme"
         for child in children or [replace(node, name=kind)]:

@@ -28,7 +28,7 @@ class _SpeechWriter(SsmlWriter):
 
 
 def read_words(node: XmlNode, unknowns: Unknowns) -> tuple[str, Directions]:
-    """Return what a speech says: its SSML where it has some, else its text."""
+    """Return what a speech says: its SSML if it has some, else its text."""
     parts = [child for child in node.children if isinstance(child, XmlNode)]
     writer = _SpeechWriter(unknowns)
     for part in parts:

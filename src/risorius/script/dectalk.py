@@ -38,7 +38,7 @@ _LONGEST_MS = 10_000
 
 
 class Dictated(NamedTuple):
-    """A phone, ARPAbet with a stress digit on vowels, "" for silence; its duration in seconds where given."""
+    """A phone, ARPAbet with a stress digit on vowels, "" for silence; its duration in seconds if given."""
 
     symbol: str
     seconds: float | None

@@ -81,7 +81,7 @@ class Script:
     """The words to speak, line by line, and the marks.
 
     `text`: all lines, joined by line ends. `timed`: times are absolute, without lead or tail (markup).
-    `source`: the file's name. `language`: None where the source does not say.
+    `source`: the file's name. `language`: None if the source does not say.
     """
 
     text: str

@@ -98,7 +98,7 @@ def _at(place: Place, index: int) -> Place:
 
 @dataclass(frozen=True, slots=True)
 class Tune:
-    """The tones of one phrase: its accents, and the boundary, "" where none is written."""
+    """The tones of one phrase: its accents, and the boundary, "" if none is written."""
 
     accents: tuple[tuple[str, Place], ...]
     boundary: str
@@ -134,8 +134,8 @@ class Written:
 def write_out(phrases: Sequence[Bracket], tunes: Sequence[Tune]) -> Written:
     """Return the text of `phrases` under `tunes`, of which there may be none.
 
-    Where a phrase ends without punctuation, its boundary gives some, so that the voice ends it so. Raises
-    InputError, with the place, where brackets or accents do not pair.
+    If a phrase ends without punctuation, its boundary gives some, so that the voice ends it so. Raises
+    InputError, with the place, if brackets or accents do not pair.
     """
     if tunes and len(tunes) != len(phrases):
         at = tunes[min(len(phrases), len(tunes)) - 1].place

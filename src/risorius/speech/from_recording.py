@@ -135,7 +135,7 @@ def _hear_timed(
 
 
 def with_written_tones(utterance: Utterance, script: Script) -> Utterance:
-    """Return the utterance with the tones that the script has; where it has any, none are measured."""
+    """Return the utterance with the tones that the script has; if it has any, none are measured."""
     accents = [tone for line in script.lines for tone in line.directions.moved(line.source_offset).accents]
     ends = [tone for line in script.lines for tone in line.directions.moved(line.source_offset).boundaries]
     if not accents and not ends:

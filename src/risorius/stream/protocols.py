@@ -63,7 +63,7 @@ Packets = Callable[[ArkitMoment], Sequence[bytes]]
 class Protocol:
     """A protocol: its receivers' usual port, and `make(fps, options)`, which returns its packets.
 
-    `greetings`: what a receiver says first to that port of ours, where the protocol has that. `tcp`: the
+    `greetings`: what a receiver says first to that port of ours, if the protocol has that. `tcp`: the
     packets are pieces of one stream, not datagrams. `reads`: the options that it reads.
     """
 

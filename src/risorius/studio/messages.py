@@ -31,7 +31,7 @@ class Request:
 
 
 class BadRequestError(RisoriusError):
-    """A message that cannot be understood; `id` is its number where it has one."""
+    """A message that cannot be understood; `id` is its number if it has one."""
 
     id: int | None = None
 

@@ -151,7 +151,7 @@ def _kept_edit(edit: Edit) -> dict[str, Any]:
 
 
 def project_file(session: Session) -> bytes:
-    """Return the project as one file. Raises InputError where nothing is performed yet."""
+    """Return the project as one file. Raises InputError if nothing is performed yet."""
     version, files = session.version(), session.files
     document = header(version, session.view)
     document["score"] = score_to_json(version.base, version.utterance)

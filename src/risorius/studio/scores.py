@@ -35,7 +35,7 @@ def read_score(document: JsonDocument, sound: Path | None) -> ScoreFile:
 
 
 def score_file(score: ScoreDocument, sound: Path | None) -> ScoreFile:
-    """Return a score and what is said, sounding as the file `sound` of ours (silent where None).
+    """Return a score and what is said, sounding as the file `sound` of ours (silent if None).
 
     The way to a sound that the score names itself is not followed. Raises as `ScoreDocument.score_file`.
     """

@@ -66,7 +66,7 @@ class EmotionRow:
 
 @dataclass(frozen=True, slots=True)
 class NumberRow:
-    """A number of a profile by its dotted key; null where its range has no end."""
+    """A number of a profile by its dotted key; null if its range has no end."""
 
     key: str
     value: float

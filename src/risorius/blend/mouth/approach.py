@@ -197,7 +197,7 @@ def lesser(a: Array, b: Array) -> Array:
 def smooth_maximum(a: Array, b: Array, width: float) -> Array:
     """Return the greater of two curves of 0 or more, rounded off by at most width/4 near their crossings.
 
-    Where one is smaller than `width` it is rounded off by less, and not at all beside a curve at rest.
+    If one is smaller than `width` it is rounded off by less, and not at all beside a curve at rest.
     """
     least = np.minimum(np.minimum(a, b), width)
     near = np.maximum(least - np.abs(a - b), 0.0)

@@ -12,7 +12,7 @@ class Codec:
     """How pictures and sound are encoded, in the names of FFmpeg.
 
     `container`; `video` with its `options`, of which those in `draft_options` are others for drafts; `pixels`
-    of opaque pictures and `alpha_pixels` of those with an alpha channel, None where it cannot be kept;
+    of opaque pictures and `alpha_pixels` of those with an alpha channel, None if it cannot be kept;
     `sound`, and the rates it knows (if empty, any): other sounds are resampled to the next one that loses
     nothing.
     """

@@ -79,7 +79,7 @@ def located(
 
 
 def owned(aligned: Sequence[AlignedPhone], words: Sequence[ScriptWord]) -> list[AlignedPhone]:
-    """Return aligned phones as those of the words' own language, where that is not the model's."""
+    """Return aligned phones as those of the words' own language, if that is not the model's."""
     phones = iter(aligned)
     found: list[AlignedPhone] = []
     for phone in phones:

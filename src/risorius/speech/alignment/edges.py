@@ -109,7 +109,7 @@ def candidate_features(levels: Array, steps: Int64Array) -> Array:
 def best_in_order(steps: Int64Array, scores: Array) -> Int64Array:
     """Return the steps with the greatest sum of scores in which every edge is SHORTEST_STEPS after the last.
 
-    Candidates lie within REACH of `steps` (n,), their scores are (n, 2 REACH + 1). Where even that leaves no
+    Candidates lie within REACH of `steps` (n,), their scores are (n, 2 REACH + 1). If even that leaves no
     room, edges follow one another at that distance.
     """
     offsets = np.arange(-REACH, REACH + 1)

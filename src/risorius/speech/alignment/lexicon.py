@@ -86,7 +86,7 @@ def _script_word(spoken: Utterance, word: Word) -> ScriptWord:
 
 
 def written_readings(text: str) -> Readings:
-    """Return the readings of a written word by dictionary and rules; none where these do not know it."""
+    """Return the readings of a written word by dictionary and rules; none if these do not know it."""
     plain = text.translate(_CURLY)
     if numbers := language_of(MODEL_LANGUAGE).number_readings(plain):
         return _first(reading for words in numbers for reading in _read_all(words.split()))

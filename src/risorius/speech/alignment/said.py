@@ -16,7 +16,7 @@ _FASTEST = 5.5
 def said_in(audio: Audio, text: str, language: str | None = None) -> int:
     """Return how many characters of `text`, from its beginning, are said in `audio`, whole words.
 
-    The sound ends in a pause: where the words before and after the one that seems to be the last have a mark
+    The sound ends in a pause: if the words before and after the one that seems to be the last have a mark
     behind them and it has none, it is that one. Raises InputError for a text that cannot be spoken,
     SpeechError if the aligner fails.
     """

@@ -1,4 +1,4 @@
-"""A request as espeak-ng reads it: plain text, or SSML where parts of it are directed.
+"""A request as espeak-ng reads it: plain text, or SSML if parts of it are directed.
 
 espeak-ng understands prosody, emphasis, break and voice; phonemes it takes as its own mnemonics between
 double square brackets. Its positions count characters of what it was given, so each has its origin in the

@@ -15,7 +15,7 @@ from ...core.manner import PLAIN, Manner
 class Voice:
     """A voice: the name by which users choose it, its languages (BCP 47, lower case), gender, description.
 
-    The first language is its own, the others are wider ones. `gender` is "male", "female" or "" where
+    The first language is its own, the others are wider ones. `gender` is "male", "female" or "" if
     unknown. `key` is what the engine calls it.
     """
 

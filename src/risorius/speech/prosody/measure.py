@@ -97,6 +97,6 @@ def _sounding(utterance: Utterance, run: Run, cues: Cues) -> Iterator[Syllable]:
 
 
 def speech_rate(utterance: Utterance) -> float:
-    """Return syllables per second of speech, pauses left out; 0 where nothing is said."""
+    """Return syllables per second of speech, pauses left out; 0 if nothing is said."""
     spoken = sum(word.end - word.start for word in utterance.words)
     return len(utterance.syllables) / spoken if spoken > 0.0 else 0.0

@@ -165,7 +165,7 @@ def _quiet(resampled: Resampled, frames: range, end: float) -> BoolArray:
 
 
 def _path(candidates: _Candidates, quiet: BoolArray, floor: float, ceiling: float) -> Array:
-    """Return the F0 of each frame on the cheapest path, NaN where it is unvoiced."""
+    """Return the F0 of each frame on the cheapest path, NaN if it is unvoiced."""
     octaves = np.log2(np.where(np.isfinite(candidates.hertz), candidates.hertz, HIGHEST))
     cost = candidates.aperiodicity + LOW_COST * (np.log2(HIGHEST) - octaves)
     outside = np.maximum(np.log2(floor) - octaves, 0.0) + np.maximum(octaves - np.log2(ceiling), 0.0)

@@ -73,7 +73,7 @@ def utterance_of_labels(grid: TextGrid, audio: Audio | None = None) -> Utterance
 def found_tier(grid: TextGrid, names: Sequence[str]) -> Tier | None:
     """Return the tier of intervals with one of these names, alone or after a speaker's ("Anna - words").
 
-    Raises InputError where several speakers have one.
+    Raises InputError if several speakers have one.
     """
     tiers = [
         t for t in grid.tiers if t.kind == INTERVALS and t.name.split(" - ")[-1].strip().lower() in names
@@ -182,7 +182,7 @@ def _known(sound: PhoneLabel) -> int:
 def _stressed(
     phones: tuple[Phone, ...], words: Sequence[Word], sounds: Sequence[PhoneLabel], text: str
 ) -> tuple[Phone, ...]:
-    """Return the phones with the stress that espeak-ng gives the words where no label tells it."""
+    """Return the phones with the stress that espeak-ng gives the words if no label tells it."""
     if not text or all(sound.stress is not None for sound in sounds):
         return phones
     spoken = synthesize(text)

@@ -38,7 +38,7 @@ TONE_LETTERS = "˥˦˧˨˩ˀ"
 
 
 class PhoneLabel(NamedTuple):
-    """A phone as core has it; `stress` None where the label does not tell."""
+    """A phone as core has it; `stress` None if the label does not tell."""
 
     symbol: str
     stress: int | None

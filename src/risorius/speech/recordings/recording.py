@@ -132,7 +132,7 @@ class SoundFileSource:
 
 
 def _bounded(source: SoundFileSource | FilmSound, place: Place) -> Iterator[Float32Array]:
-    """Yield a recording's sound in blocks; raise InputError where it is too long."""
+    """Yield a recording's sound in blocks; raise InputError if it is too long."""
     frames = 0
     for block in source.blocks():
         frames += len(block)

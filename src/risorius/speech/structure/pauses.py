@@ -34,7 +34,7 @@ def find_pauses(
 
 
 def punctuation_kind(between: str) -> PauseKind | None:
-    """Return what the characters between two words stand for, None where nothing asks for a pause."""
+    """Return what the characters between two words stand for, None if nothing asks for a pause."""
     for pattern, kind in _KINDS:
         if pattern.search(between):
             return kind

@@ -82,7 +82,7 @@ def _clean(text: str, start: int, end: int, put: Callable[[str, int], None]) -> 
 
 
 def _cleaned(text: str, at: int, char: str) -> str:
-    """Return what is spoken for `char`, a blank where it only separates, nothing where it is invisible."""
+    """Return what is spoken for `char`, a blank if it only separates, nothing if it is invisible."""
     if char in APOSTROPHES:
         inside = at > 0 and text[at - 1].isalnum() and text[at + 1 : at + 2].isalnum()
         return "'" if inside else " "

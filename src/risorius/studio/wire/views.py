@@ -55,7 +55,7 @@ class GraphsView:
 
 @dataclass(frozen=True, slots=True)
 class PageView:
-    """The open panel, the camera, the playhead and the graphs; null where nothing was chosen."""
+    """The open panel, the camera, the playhead and the graphs; null if nothing was chosen."""
 
     tab: Annotated[str, Then(_short)] | None = None
     camera: CameraView | None = None
