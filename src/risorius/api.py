@@ -166,7 +166,7 @@ def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Sett
     refuse(settings, POSE)
     displays = displays_of(emotion, settings)
     if any((display.start, display.end, display.priority) != (None, None, None) for display in displays):
-        raise UnreadError(["emotion"], "a pose has no times and no rivals; expected NAME:INTENSITY")
+        raise UnreadError(["emotion"], "a pose has no times and no priorities; expected NAME:INTENSITY")
     shown = {display.emotion: display.intensity for display in displays}
     keys = {name: ((0.0, value),) for name, value in posed(targets, shown).items()}
     pose_curve = ManualCurve(keys, Cause("pose", "command"))

@@ -54,7 +54,7 @@ class OutputPattern:
         def fill(match: re.Match[str]) -> str:
             column = match[1].strip()
             if not cells.get(column, "").strip():
-                raise InputError(f"has no {column}; expected one, which '{self.text}' needs for its name")
+                raise InputError(f"has no {column}, which the output name '{self.text}' needs")
             return checked_part(column, cells[column].strip())
 
         return _COLUMN.sub(fill, self.text)

@@ -36,7 +36,7 @@ class Shard:
         """Return the shard of a text such as "3/8"; raise InputError for any other text."""
         match = re.fullmatch(r"(\d{1,6})/(\d{1,6})", text.strip())
         if match is None or not 1 <= int(match[1]) <= int(match[2]):
-            raise InputError(f"shard '{text[:40]}' is not one; expected e.g. 3/8: the third of eight")
+            raise InputError(f"'{text[:40]}' is not a shard; expected e.g. 3/8: the third of eight")
         return cls(int(match[1]), int(match[2]))
 
     @property
@@ -203,5 +203,5 @@ class _Names(Scratch):
             row = (f"{what} {name}", str(job.place))
             before = self._database.execute("SELECT place FROM names WHERE name = ?", row[:1]).fetchone()
             if before is not None:
-                raise InputError(f"the {what} '{name}' is that of {before[0]} as well; expected another")
+                raise InputError(f"the {what} '{name}' is also used by {before[0]}; expected a different one")
             self._database.execute("INSERT INTO names VALUES (?, ?)", row)
