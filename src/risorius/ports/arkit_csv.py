@@ -151,7 +151,7 @@ def _counter(right: Collection[str], here: int) -> Parse:
 
     def check(text: str) -> tuple[()]:
         if text not in right:
-            raise ValueError(f"expected {here}, as there are columns")
+            raise ValueError(f"expected {here}, the number of columns")
         return ()
 
     return check

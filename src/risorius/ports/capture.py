@@ -168,7 +168,7 @@ def _read_row(
     """Append the numbers of a row."""
     cells = _cells(line, place)
     if len(cells) != len(header.names):
-        raise InputError(f"has {len(cells)} values; expected {len(header.names)}, as the header", place)
+        raise InputError(f"has {len(cells)} values; expected {len(header.names)}, as in the header", place)
     for index, column in chosen:
         try:
             values.extend(column.parse(cells[index]))

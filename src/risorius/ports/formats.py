@@ -69,7 +69,7 @@ class FileFormat:
         """Return what a file of this format holds; the format's module is imported if it is not yet."""
         reader = self._functions()[1]
         if reader is None:
-            raise ValueError(f"{self.suffix} is only written")
+            raise ValueError(f"{self.suffix} files can be written, but not read")
         return reader(path, options)
 
     def _functions(self) -> tuple[Writer, Reader | None]:

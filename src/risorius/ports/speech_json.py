@@ -115,7 +115,7 @@ def _audio(name: str, folder: Path) -> Audio:
         with wave.open(str(path), "rb") as file:
             form = (file.getnchannels(), file.getsampwidth(), file.getframerate() > 0)
             if form != (1, 2, True):
-                raise MisfitError(f"'{name}' is not 16-bit mono; expected such a WAV file", "audio")
+                raise MisfitError(f"'{name}' is not 16-bit mono; expected a 16-bit mono WAV file", "audio")
             return Audio(path, file.getframerate(), file.getnframes())
     except (OSError, EOFError, ValueError, wave.Error) as error:
         reason = getattr(error, "strerror", None) or str(error) or "not a WAV file"
