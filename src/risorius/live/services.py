@@ -202,4 +202,4 @@ def _decoded(text: object) -> bytes:
     try:
         return base64.b64decode(_part(str, text, "audio"), validate=True)
     except (binascii.Error, ValueError):
-        raise InputError("the message's sound is not base64; expected samples in it") from None
+        raise InputError("the message's sound is not base64; expected samples in base64") from None

@@ -87,7 +87,7 @@ class Live:
             chosen = replace(chosen, fps=parse_fps(fps))
         changed = [name for name in ("lead", "tail") if getattr(chosen, name) != getattr(Settings(), name)]
         if changed:
-            raise UnreadError(changed, "a live face has pauses of its own; expected none")
+            raise UnreadError(changed, "a live face sets its own pauses; leave them at their defaults")
         self._settings = replace(chosen, lead=SEAM, tail=TAIL)
         self._idle_settings = with_profile(self._settings)
         self._performer: TurnPerformer = LocalPerformer(perform)

@@ -99,7 +99,7 @@ class VoiceBuffer:
         """
         check_rate(rate, LOWEST_RATE, HIGHEST_RATE)
         if self and rate != self._rate:
-            raise InputError(f"{rate:,} Hz after {self._rate:,}; expected one rate up to flush")
+            raise InputError(f"{rate:,} Hz after {self._rate:,} Hz; expected one sample rate until flush")
         if not isinstance(words, Iterable):
             raise InputError(f"words are {type(words).__name__}; expected a list of (word, start, end)")
         timed = [_timed_word(word) for word in words]

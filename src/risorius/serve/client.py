@@ -262,7 +262,7 @@ def follow(face: Live, message: ClientMessage) -> None:
         case Close():
             face.close()
         case StartFace():
-            raise InputError("the face is there already; expected 'start' once")
+            raise InputError("the face has started already; expected 'start' once")
 
 
 def _started(layout: FrameLayout, settings: Settings) -> str:

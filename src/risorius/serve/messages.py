@@ -173,4 +173,4 @@ def _bytes_of(text: str) -> bytes:
     try:
         return base64.b64decode(text, validate=True)
     except (binascii.Error, ValueError):
-        raise InputError("the sound is not base64; expected samples in it") from None
+        raise InputError("the sound is not base64; expected samples in base64") from None
