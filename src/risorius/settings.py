@@ -309,7 +309,7 @@ class Settings(metaclass=Named):
                 kind = type(getattr(self, name)).__name__
                 raise InputError(f"{name} is {kind}; expected risorius.{group.__name__}(…)")
         if self.at is not None and self.every is not None:
-            raise UnreadError(["at"], "every makes a sheet of the whole clip; expected one of the two")
+            raise UnreadError(["at"], "every makes a sheet of the whole clip; expected at or every")
 
     __repr__ = _shown
 # fmt: on

@@ -226,7 +226,7 @@ def _keys(score: Score, edit: Keys) -> Score:
 def _clear(score: Score, edit: ClearKeys) -> Score:
     rest = _undrawn(score, [p.name for p in parameters_named(edit.parameter)])
     if rest == score.manual:
-        raise InputError(f"nothing is drawn by hand for '{edit.parameter}'")
+        raise InputError(f"no curve is drawn by hand for '{edit.parameter}'")
     return replace(score, manual=rest)
 
 

@@ -83,7 +83,7 @@ class Anchor:
 
     def _in_text(self, words: Sequence[Word]) -> float:
         if not words:
-            raise InputError("a time in the speech, but nothing is said", self.place)
+            raise InputError("the time depends on the speech, but the script has no words", self.place)
         following = bisect_left(words, self.character, key=lambda word: word.source_start)
         if self.base is Base.TEXT_END:
             return words[following - 1].end if following else words[0].start

@@ -150,5 +150,5 @@ def _display(span: EmotionSpan, utterance: Utterance | None) -> Display:
     last = 2**31 if span.last is None else span.last
     words = [w for w in utterance.words if w.source_start < last and w.source_end > span.first]
     if not words:
-        raise InputError(f"emotion {span.emotion}: there is no word in characters {span.first} to {last}")
+        raise InputError(f"emotion {span.emotion}: no word stands at characters {span.first} to {last}")
     return replace(display, start=words[0].start, end=words[-1].end)

@@ -112,7 +112,7 @@ class Session:
         inputs, utterance = self.version().inputs, self.version().utterance
         source = inputs.source
         if utterance is None or source.format == "score":
-            raise InputError("only phones of what is spoken or recorded can be moved")
+            raise InputError("only phones of spoken or recorded lines can be moved")
         edge = edge_of(utterance, request.phone, 0.0)
         shifts = {replace(other, shift=0.0): other.shift for other in source.edges}
         shift = shifts.pop(edge, 0.0)
