@@ -61,7 +61,7 @@ def _check(printed: list[Path]) -> None:
 def _print(file: Path, place: Place) -> None:
     with file.open("rb") as content:
         if sys.stdout.isatty() and b"\0" in content.read(_LOOKED_AT):
-            raise OutputError("is not text, which a terminal could show; expected a pipe or a file", place)
+            raise OutputError("a terminal cannot show binary output; expected a pipe or a file", place)
         content.seek(0)
         sys.stdout.flush()
         shutil.copyfileobj(content, sys.stdout.buffer)

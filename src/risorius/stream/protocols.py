@@ -99,4 +99,4 @@ def check_options(name: str, options: Options) -> None:
     unread = [option for option in changed if option not in reads]
     if unread:
         readers = [other for other in PROTOCOLS if unread[0] in PROTOCOLS.get(other).reads]
-        raise UnreadError(unread, f"{name} does not send it; expected the protocol {' or '.join(readers)}")
+        raise UnreadError(unread, f"{name} does not use it; expected the protocol {' or '.join(readers)}")
