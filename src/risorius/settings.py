@@ -210,8 +210,8 @@ class Settings(metaclass=Named):
         "Language", None, "Language of the text or of the recording: de, fr, cmn …",
         metavar="CODE", names="speech.engines.voices:languages", find=BY_VOICE, unset="the voice's")
     voice: str | None = _voice(
-        "Voice", None, "A voice ('risorius list voices'), a Piper model (.onnx) or a program of yours; "
-        "without a language, en-us unless you choose.",
+        "Voice", None, "A voice ('risorius list voices'), a Piper model (.onnx) or your own program; "
+        "en-us if no language is chosen either.",
         names="speech.engines.voices:speaking", find=BY_VOICE, unset="the language's first")
     rate: int | None = _voice(
         "Words per minute", None, "Words per minute, {low} to {high}.",
@@ -237,7 +237,8 @@ class Settings(metaclass=Named):
         find="rules.profiles:attitude")
     expression: str = _manner(
         "Emotions are", "felt",
-        "Whether emotions are {names}. Posed ones are faster, less smooth, and change nothing else.",
+        "Whether emotions are {names}. Posed ones are faster and less smooth, and do not affect "
+        "other channels.",
         names=choices.EXPRESSIONS, registry="rules.expressions:expressions")
     blinks: str | None = _manner(
         "Blinks", None, "How blinks are timed: {names}.",

@@ -22,7 +22,7 @@ PRINTED = "-.muscles.csv"
 def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     """Combine the movements of SCORE (.json) into curves.
 
-    Without -o the curves go to standard output as CSV. The score has the settings; options change them.
+    Without -o the curves go to standard output as CSV. The settings are the score's; options override them.
     """
     from ..api import mix as combine
 

@@ -240,7 +240,7 @@ config_option = option(
     group="Settings",
     multiple=True,
     metavar="FILE",
-    help="A .toml file with settings of yours, such as fps = 60. It overrides presets; options override it. "
+    help="A .toml file with your settings, such as fps = 60. It overrides presets; options override it. "
     "May be given several times.",
 )
 output_option = option(
