@@ -1,6 +1,6 @@
-"""From a TextGrid of words and phones, and the recording it belongs to, to an Utterance.
+"""Make an Utterance of a TextGrid of words and phones and the recording that it labels.
 
-The labels are taken as they are: whoever made them, by hand or with an aligner, knows better. Tiers are found
+The labels are taken as they are, because their author or aligner knew the recording better. Tiers are found
 by name, as Praat's users and aligners spell them. Phones are ARPAbet, with stress digits or without, or IPA.
 """
 
