@@ -1,4 +1,4 @@
-"""From a row of a manifest to a job: what is performed, by which settings, into which files; all checked."""
+"""Make a job of a row of a manifest: its input, its settings and its output files, all checked."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ class JobMaker:
     sheets: Path | None = None
 
     def job(self, row: ManifestRow) -> BatchJob:
-        """Return the job of a row; raises RisoriusError, with its place, for what cannot be performed."""
+        """Return the job of a row; raises RisoriusError, with its place, if it cannot be performed."""
         with at_row(row.place):
             return self._job(row)
 
@@ -141,7 +141,7 @@ def at_row(place: Place) -> Iterator[None]:
 
 
 def check_job(job: BatchJob) -> None:
-    """Raise RisoriusError for what can be known to go wrong before a line is performed."""
+    """Raise RisoriusError for any fault that can be found before a line is performed."""
     with at_row(job.place):
         _check_job(job)
 

@@ -27,7 +27,7 @@ _SUFFIX, _LOCK = ".jsonl", ".risorius-batch.lock"
 
 @dataclass(frozen=True, slots=True)
 class JournalEntry:
-    """A whole line: its id, its fingerprint, the records of its files, and what came of it."""
+    """A whole line: its id, its fingerprint, the records of its files, and its outcome."""
 
     id: str
     digest: str

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 BatchRows = str | PathLike[str] | Iterable[Mapping[str, object]]
 C = TypeVar("C")
 SECONDS = 600.0
-"""How long a line may take."""
+"""The time limit of a line."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +67,7 @@ class BatchPlan:
         return _rows_of(self.rows)
 
     def maker(self) -> JobMaker:
-        """Return what makes jobs of the rows."""
+        """Return the maker of jobs from rows."""
         if not self.outputs:
             raise OutputError("no output named; expected e.g. -o 'out/{id}.arkit.csv'")
         patterns = [OutputPattern(os.fspath(output)) for output in self.outputs]
@@ -89,7 +89,7 @@ class BatchPlan:
         return Path(fixed)
 
     def executor(self, run: str) -> BatchExecutor:
-        """Return who performs the lines."""
+        """Return the executor of the lines."""
         if self.ray is not None:
             from .ray_cluster import RayCluster
 

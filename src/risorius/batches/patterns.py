@@ -44,7 +44,7 @@ class OutputPattern:
 
     @property
     def fixed_folder(self) -> str:
-        """The longest folder that all outputs have in common: what stands before the first column."""
+        """The longest folder that all outputs have in common: the part before the first column."""
         before = self.text[: self.text.index("{")]
         return before[: before.rindex("/") + 1].rstrip("/") or "/" if "/" in before else "."
 

@@ -31,7 +31,7 @@ a { color: inherit }
 
 @dataclass(frozen=True, slots=True)
 class Totals:
-    """How many lines were made, were whole already and failed; the seconds of all performances."""
+    """Counts of lines made, already complete and failed; the seconds of all performances."""
 
     made: int
     whole: int

@@ -1,4 +1,4 @@
-"""A run of a batch: rows become jobs, what is whole is left alone, the rest is performed and journalled."""
+"""A run of a batch: rows become jobs; complete lines are left alone, the others performed and journalled."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ WHOLE = Shard()
 
 @dataclass
 class BatchRun:
-    """A run over the rows of a manifest. `lines()` yields what comes of each, in any order."""
+    """A run over the rows of a manifest. `lines()` yields the outcome of each, in any order."""
 
     rows: Iterable[ManifestRow | RisoriusError]
     maker: JobMaker
@@ -71,7 +71,7 @@ class BatchRun:
         return self.journal.folder / f"{ERRORS}{self.shard.name and '-'}{self.shard.name}.jsonl"
 
     def lines(self) -> Iterator[LineResult]:
-        """Perform what is not whole; yield the result of every row. Raises DiskFullError."""
+        """Perform incomplete lines; yield the result of every row. Raises DiskFullError."""
         try:
             with self.errors_path.open("w", encoding="utf-8") as errors:
                 for result in self._lines():
@@ -124,7 +124,7 @@ class BatchRun:
         return job
 
     def _clear(self, output: str) -> None:
-        """Remove what a run that was killed left beside an output, once a folder."""
+        """Remove the files that a killed run left beside an output, once for each folder."""
         folder = Path(output).parent
         if not is_remote(output) and folder not in self._folders:
             self._folders.add(folder)
