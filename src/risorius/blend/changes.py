@@ -1,4 +1,4 @@
-"""When the curves of two plans can differ: what was changed, and how far that has an effect."""
+"""Find the times at which the curves of two plans can differ: the changes, and their reach."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ from .roots import find_roots
 
 @dataclass(slots=True)
 class CurvePiece:
-    """How one movement moves one parameter. Seconds; `function` and `fade_function` are names.
+    """The piece of a curve by which one movement moves one parameter; seconds and names of functions.
 
     Onset: min(begin + rise·f, cap) during `onset`; apex: `level` until `apex_end`; offset: `level`·f
     backwards until `end`. The residue falls from `excess` with the time constant `fade`. `speed`, 1/s, is

@@ -1,4 +1,4 @@
-"""The ledger of a parameter: what each channel requests of it, and what every stage leaves of that.
+"""The ledger of a parameter: the requests of each channel, and the rest after each stage.
 
 A muscle, a contact or the tongue goes through four stages. A channel's movements *request* a value; the
 policy *resolves* it against rivals in other channels; of the jaw, the channel gets a *share* beside speech;
@@ -43,7 +43,7 @@ class LedgerEntry:
 
     @cached_property
     def shared(self) -> Array:
-        """The same; of the jaw, what is added to the jaw of speech."""
+        """The resolved requests; for the jaw, the part that is added to the jaw of speech."""
         limits = self._ledger.limits
         if self._ledger.name != JAW or limits is None or self.channel.name == LIPS:
             return self.resolved
@@ -110,7 +110,7 @@ class DirectionEntry:
 
 
 def direction_entries(name: str, times: Array, channels: Sequence[Channel]) -> list[DirectionEntry]:
-    """Return what every curve does with a direction of head or gaze at sorted times (n,)."""
+    """Return the entry of every curve for a direction of head or gaze at sorted times (n,)."""
     curves = [(channel, curve) for channel in channels for curve in channel.curves.get(name, ())]
     requested = [_everywhere(curve, times) for _, curve in curves]
     applied = shares_of(name, requested) if requested else []

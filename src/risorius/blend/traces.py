@@ -74,7 +74,7 @@ def traces(plan: Plan, parameter: str, times: Array) -> tuple[Trace, ...]:
 
 
 def _turned(sample: PlanSample, name: str) -> Iterator[tuple[str, Array, Array]]:
-    """Yield channel, what is requested and what is applied of a direction, for every curve; (n,) both."""
+    """Yield the channel, the requested and the applied values (n,) of a direction, for every curve."""
     for entry in sample.direction_entries(name):
         yield entry.channel.name, entry.requested + replaced_values(entry.curve, sample.times), entry.applied
 
