@@ -1,4 +1,4 @@
-"""Emotion: displays marked and asked for, emblems by rules, and what a face always shows a little."""
+"""Emotion: displays marked and asked for, emblems by rules, and a slight posture that is always shown."""
 
 from __future__ import annotations
 

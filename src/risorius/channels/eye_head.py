@@ -1,4 +1,4 @@
-"""How eyes and head share a shift of gaze: main sequence, Freedman's law, vestibulo-ocular reflex.
+"""Division of a gaze shift between eyes and head: main sequence, Freedman's law, vestibulo-ocular reflex.
 
 Freedman 2001, as used by Itti, Dhavale and Pighin 2003: within a dead zone the eyes go alone; beyond it the
 head takes a share that grows with the shift. The share printed there jumps at the zone's edge; ours is the

@@ -82,7 +82,7 @@ def gaze(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
 
 
 class _Ends:
-    """When the looks may begin that end a turn: it may end with each of its sentences."""
+    """The times at which looks that end a turn may begin: a turn may end with each of its sentences."""
 
     def __init__(self, inputs: ChannelInputs) -> None:
         ending = (r for r in inputs.rules if r.level is Level.TURN and r.timing.at is RuleAnchor.END)
@@ -220,7 +220,7 @@ def _aversion(inputs: ChannelInputs, time: float) -> Aversion:
 def _fixations(
     inputs: ChannelInputs, looks: Sequence[Glance], ends: _Ends, numbers: Counted
 ) -> Iterator[GazeShift]:
-    """Yield the shifts of gaze in order: to each look, back, and about what is looked at meanwhile."""
+    """Yield the shifts of gaze in order: to each look, back, and about the target meanwhile."""
     time = 0.0
 
     def shift(start: float, direction: Angles, cause: Cause) -> GazeShift:

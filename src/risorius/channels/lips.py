@@ -98,7 +98,7 @@ class _Shaper:
             yield own.with_targets(held.targets, held.precision)
 
     def _anticipates(self, phone: Phone) -> Mapping[str, float]:
-        """Return what all sounds of a consonant leave to the coming vowel."""
+        """Return the articulators that all sounds of a consonant leave to the coming vowel."""
         classes = [shape.lip_class for _, shape, _ in self._sounds(phone.symbol)]
         first, *others = (self.table.holdings[name].anticipates for name in classes)
         return {name: share for name, share in first.items() if all(name in other for other in others)}
@@ -202,7 +202,7 @@ class _Shaper:
 
 
 def _scaled(name: str, value: float, factor: float) -> float:
-    """Return a target times a factor; what is closed stays closed."""
+    """Return a target times a factor; a closed articulator stays closed."""
     closed = name in OPENING and value <= 0.0
     return value if closed or factor == 1.0 else within_range(name, value * factor)
 

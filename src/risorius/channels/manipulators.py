@@ -29,7 +29,7 @@ _APART = 0.25
 NextBlink = Callable[[float, Counted], float]
 """(end of what the wait runs from, numbers) -> when the next blink comes, seconds."""
 WaitReset = tuple[float, float, float]
-"""Start and end of what restarts the wait for a blink, and how long before it no blink begins, seconds."""
+"""Start and end of an event that restarts the wait for a blink, and the seconds before it without blinks."""
 
 
 def manipulators(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:

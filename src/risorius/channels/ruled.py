@@ -1,4 +1,4 @@
-"""Movements of rules: events become movements, beside what the script marks."""
+"""Movements of rules: events become movements, beside the marks of the script."""
 
 from __future__ import annotations
 

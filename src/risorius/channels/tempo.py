@@ -1,4 +1,4 @@
-"""How fully each stretch of speech is articulated, by its rate (`rules/data/lips.toml`, `tempo`)."""
+"""The fullness of articulation of each stretch of speech, by its rate (`rules/data/lips.toml`, `tempo`)."""
 
 from __future__ import annotations
 
