@@ -37,7 +37,7 @@ class BatchProgress:
         self._say_how_it_goes()
 
     def finish(self, folder: Path) -> None:
-        """Say what came of it."""
+        """Report the outcome of the batch."""
         seconds = time.monotonic() - self._start
         lines = "1 line" if self.made == 1 else f"{self.made:,} lines"
         parts = [f"{lines} made in {clock(seconds)}"]

@@ -36,7 +36,7 @@ def interrupt(number: int, frame: FrameType | None) -> None:
 
 
 class Console:
-    """Says what is being done: by a bar if a person watches, by lines or JSON (`messages`) otherwise."""
+    """Reports progress: by a bar if a person watches, by lines or JSON (`messages`) otherwise."""
 
     def __init__(self) -> None:
         self._bar: Progress | None = None
@@ -45,12 +45,12 @@ class Console:
         self._warnings = warnings_to(self._warn)
 
     def say(self, line: str) -> None:
-        """Say one line of what is done, unless only faults are wanted."""
+        """Report one line of progress, unless only faults are wanted."""
         if message_form() is not MessageForm.QUIET:
             self._send(line, message=line)
 
     def fail(self, line: str) -> None:
-        """Say what went wrong, though the work goes on."""
+        """Report a fault after which the work goes on."""
         self._send(f"risorius: {line}", error=line)
 
     def wrote(self, outputs: Iterable[Path]) -> None:

@@ -182,7 +182,7 @@ LISTINGS: dict[str, Callable[[], Listing]] = {
 
 
 def _help() -> str:
-    """Return the help of `list`: what each list holds."""
+    """Return the help of `list`: the content of each list."""
     width = max(map(len, LISTINGS))
     lines = [f"{name:{width}}  {inspect.getdoc(rows)}" for name, rows in LISTINGS.items()]
     return "\n".join(["List the names that can be used.", "", "\b", *lines])

@@ -1,4 +1,4 @@
-"""How the command line speaks: lines for people, objects of JSON for programs, or only what went wrong."""
+"""The forms of messages: lines for people, objects of JSON for programs, or only faults."""
 
 from __future__ import annotations
 

@@ -130,7 +130,7 @@ class Named(click.ParamType[str]):
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
     ) -> list[CompletionItem]:
-        """Return the names that begin with what stands there already."""
+        """Return the names that begin with the text so far."""
         before, comma, begun = "", "", incomplete
         if self._separator:
             before, comma, begun = incomplete.rpartition(self._separator)
@@ -269,7 +269,7 @@ emotion_option = option(
 def check_outputs(
     outputs: Collection[Path], settings: Settings | None = None, available: Collection[str] | None = None
 ) -> None:
-    """Raise RisoriusError for outputs that cannot be written of what is `available`, and for settings that
+    """Raise RisoriusError for outputs that cannot be made of the `available` stages, and for settings that
     change none of them.
     """
     from ..ports.formats import Need

@@ -21,7 +21,7 @@ _MOST, _PAUSE = 100, 0.1
 
 
 def face_of(settings: Settings, emotions: Displays) -> Live:
-    """Return a live face that feels emotions; raise RisoriusError for what it cannot."""
+    """Return a live face that feels emotions; raise RisoriusError for any that it cannot feel."""
     from ..live.session import Live
 
     face = Live(settings, arkit=True)
