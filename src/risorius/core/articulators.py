@@ -1,4 +1,4 @@
-"""The lips' articulators: what speech moves, in millimetres that can be measured on any head.
+"""The lips' articulators, which speech moves, in millimetres that can be measured on any head.
 
 Unlike muscles they mean the same on every face. Each head has a fit (`lip_rig`) that turns them into muscles.
 """

@@ -1,4 +1,4 @@
-"""The table of channels: names, priorities, default timing, and what feeds each.
+"""The table of channels: names, priorities, default timing, and sources.
 
 Each channel is one file of the package `channels` that ends with a line `register(…)`. The table is made from
 these lines, read as text: who reads or combines movements needs no builder.
@@ -18,7 +18,7 @@ from .registry import Registry, registrations
 
 @dataclass(frozen=True, slots=True)
 class ChannelTiming:
-    """How fast movements come and go unless they say so: seconds, and the name of an onset function."""
+    """The default timing of a channel's movements: seconds, and the name of an onset function."""
 
     onset: float
     offset: float

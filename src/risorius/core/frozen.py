@@ -1,4 +1,4 @@
-"""Mappings that nobody can change: tables that all runs share, and what is made of them."""
+"""Read-only mappings: tables that all runs share, and data derived from them."""
 
 from __future__ import annotations
 

@@ -52,7 +52,7 @@ class ChooseType:
 
 
 def shown(value: object, syntax: Syntax) -> str:
-    """Return a value as it is written, or what it is if that is long."""
+    """Return a value as it is written, or its type if that is long."""
     if isinstance(value, Mapping):
         return _name_of(dict, syntax)
     if isinstance(value, list | tuple):
@@ -72,7 +72,7 @@ _NAMES: Mapping[Any, str] = {
 
 
 def describe(hint: Any, syntax: Syntax) -> str:
-    """Return in words what a type takes."""
+    """Return the values that a type takes, in words."""
     origin, arguments = typing.get_origin(hint), typing.get_args(hint)
     if origin is Annotated:
         limits = [rule for rule in arguments[1:] if isinstance(rule, Range)]

@@ -18,7 +18,7 @@ _MOST = 400  # points of one
 
 @dataclass(frozen=True, slots=True)
 class KeyShape:
-    """How a drawn curve passes one of its keys: None is a straight line towards the neighbour.
+    """The shape of a drawn curve at one of its keys; None is a straight line towards the neighbour.
 
     `before`, `after`: the handles at the key's left and right; a handle that reaches beyond the neighbour in
     time is shortened to it. `hold`: the key's value stays until the next key.

@@ -74,7 +74,7 @@ _ROUNDS = 4
 ROUNDED = 1.0
 """mm over which a control begins, so that it has no corner where the next one takes over."""
 PARTED = 2.0
-"""mm of gap over which the lips' own opening, or their contact, takes over from what the jaw opens."""
+"""mm of gap over which the lips' own opening, or their contact, takes over from the jaw's opening."""
 SEAL_ROUNDED = 0.2
 """Width, in units of the seal, over which the seal is rounded off below the most that a wide gap allows."""
 RAISED = 0.25
@@ -292,7 +292,7 @@ class _Sum:
 
 
 def _value(polynomial: _Sum | float, controls: Mapping[str, Array]) -> Array | float:
-    """Return what a polynomial is for values of its controls, (n,) each."""
+    """Return the values of a polynomial for values of its controls, (n,) each."""
     if isinstance(polynomial, float):
         return polynomial
     value = controls[polynomial.control] * _value(polynomial.inner, controls)

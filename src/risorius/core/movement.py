@@ -23,7 +23,7 @@ CurveKeys = tuple[tuple[float, float], ...]
 
 @dataclass(frozen=True, slots=True)
 class Cause:
-    """Why a movement exists: the rule, what triggered it (phone, word, mark), and its place in the source."""
+    """The cause of a movement: its rule, its trigger (phone, word, mark), and its place in the source."""
 
     rule: str = ""
     trigger: str = ""
@@ -78,7 +78,7 @@ def fitted(onset: float, offset: float, length: float) -> tuple[float, float]:
 
 @dataclass(frozen=True, slots=True)
 class Dominance:
-    """How strongly a lip segment holds one parameter (Cohen and Massaro; facts: science/01, section 1.1).
+    """The dominance of a lip segment over one parameter (Cohen and Massaro; facts: science/01, section 1.1).
 
     `magnitude`: in comparison with the neighbours (1 for a vowel); `before`, `after`: time constants in
     seconds of the fall on either side of the plateau; `exponent`: of the fall; `plateau`: the share of the

@@ -9,7 +9,7 @@ from ..errors import InputError
 
 
 def path_of(name: object) -> Path:
-    """Return the path that a user named; raise InputError for what names no file."""
+    """Return the path that a user named; raise InputError if it cannot name a file."""
     if isinstance(name, str | PathLike):
         return Path(name)
     raise InputError(f"{type(name).__name__} does not name a file; expected a text or a path")

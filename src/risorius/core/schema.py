@@ -29,7 +29,7 @@ from .source_text import SourceText, Syntax
 
 T = TypeVar("T")
 Converter = Callable[[object], object]
-"""Turns a value as it was parsed into what a type says; raises MisfitError."""
+"""Converts a parsed value to a type; raises MisfitError."""
 _LONGEST_KEY = 60  # characters of a key that are shown
 
 
@@ -102,7 +102,7 @@ def dotted(path: KeyPath) -> str:
 
 
 def converter(hint: Any) -> Converter:
-    """Return what reads values of a type; made once for each type."""
+    """Return the converter for values of a type; made once for each type."""
     return _made(hint)
 
 
@@ -177,7 +177,7 @@ def _continued(convert: Converter, then: Callable[[Any], object]) -> Converter:
 
 
 def _refused(error: RisoriusError) -> Exception:
-    """Return what to raise for an error of a dataclass or a function: as it is if it knows its place."""
+    """Return the error to raise for one of a dataclass or a function: the same if it has a place."""
     return error if error.place is not None else MisfitError(error.message, kind=type(error))
 
 

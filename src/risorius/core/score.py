@@ -30,7 +30,7 @@ MOST_ROUNDING = 0.1
 
 @dataclass(frozen=True, slots=True)
 class BlendSettings:
-    """How movements are combined.
+    """The settings by which movements are combined.
 
     `activation_threshold`, `min_onset` and `min_offset` override the parameter table for all muscles, and
     `onset_function` overrides the movements' own, unless None. `contact`: whether the lips' contact goals

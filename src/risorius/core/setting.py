@@ -1,4 +1,4 @@
-"""How a setting is declared: its range or choices, its option, who reads it, and its words.
+"""Declarations of settings: range or choices, option, the stage that reads it, and words.
 
 A setting is a field of a frozen dataclass, made by `setting`. What a command line, a page and a manual need
 to know of it is derived from the field (`rows`). Nothing here loads numpy: the command line's help waits for
@@ -227,7 +227,7 @@ class Row:
 
     @property
     def is_flag(self) -> bool:
-        """Whether the option has no value: it says the opposite of what is usual."""
+        """Whether the option has no value, and sets the opposite of the default."""
         return self.kind is ValueKind.SWITCH and bool(self.entry.flag)
 
     @property
@@ -256,7 +256,7 @@ class Row:
         return Path(text) if self.kind is ValueKind.FILE else text
 
     def text(self, value: Any) -> str:
-        """Return a value as `read` takes it; for None what that means, in words."""
+        """Return a value as a text that `read` takes; for None its meaning, in words."""
         if value is None:
             return self.entry.unset
         if self.kind is ValueKind.SWITCH:

@@ -47,7 +47,7 @@ class Question(StrEnum):
 
 
 class Ending(StrEnum):
-    """How a phrase ends.
+    """The end of a phrase.
 
     PAUSE: in a silence without punctuation. CLAUSE: without a silence. OPEN: with the text, without
     punctuation.
@@ -228,7 +228,7 @@ class Utterance:
         check_phrases(self.phrases, len(self.words))
 
     def __repr__(self) -> str:
-        """Return one line: how long it is, and what is said."""
+        """Return one line: its duration and its text."""
         words, said = len(self.words), textwrap.shorten(self.text, 60)
         return f"<Utterance of {self.duration:.2f} s, {words} words, {len(self.phones)} phones, {said!r}>"
 
