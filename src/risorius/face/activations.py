@@ -39,7 +39,7 @@ class Yields(NamedTuple):
 
 
 def yields_of(shares: Mapping[tuple[str, str], float]) -> Yields:
-    """Return what each muscle of each pair loses to the other; one without sides, half to either of them."""
+    """Return the loss of each muscle of each pair to the other; one without sides, half to either of them."""
     rows = []
     for pair, share in shares.items():
         for own, other in (pair, pair[::-1]):

@@ -1,4 +1,4 @@
-"""How much the skin is compressed, region by region: one kernel for wrinkles and bulges.
+"""Compression of the skin, region by region: one kernel for wrinkles and bulges.
 
 A quad's deformation is read from its two diagonals, because a mirrored mesh has the same ones; the triangles
 of a split quad would not be mirrored.

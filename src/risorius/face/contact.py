@@ -219,7 +219,7 @@ def _cover(
 
 @lean_device
 def _meet(s: int, t: int, sign: float, points: Array, triangles: IntArray, places: Places) -> None:
-    """Give triangle t to the vertex in place s if it covers it, with a height below what is found so far."""
+    """Give triangle t to the vertex in place s if it covers it, with a height below the least so far."""
     v, p, q, r = places.vertex[s], triangles[t, 0], triangles[t, 1], triangles[t, 2]
     x, z = points[p, 0], points[p, 2]
     px, pz = places.x[s] - x, places.z[s] - z

@@ -248,7 +248,7 @@ def head_of(choice: HeadChoice) -> Head:
 
 
 def head_titles() -> dict[str, str]:
-    """Return the heads that come with Risorius by name, each with who it is in a few words."""
+    """Return the heads that come with Risorius by name, each with its title."""
     return {
         name: read_identity(head_file(name).with_name(identity_file.FILE)).title for name in shipped_heads()
     }

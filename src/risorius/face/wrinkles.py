@@ -155,7 +155,7 @@ class _HeldFlat(NamedTuple):
         return cls(own, rows.row_side[own], INDEX[f"{muscle}.left"], INDEX[f"{muscle}.right"], work)
 
     def flatten(self, values: Array, stretch: Array) -> None:
-        """Take from the compression in `stretch` (r,) what other muscles than this one cause."""
+        """Take from the compression in `stretch` (r,) the part that other muscles than this one cause."""
         own, (idle, shortened) = stretch[self.rows], self.work
         left, right = ((1.0 - float(values[k])) ** 2 for k in (self.left, self.right))
         if left == right == 1.0:
