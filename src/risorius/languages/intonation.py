@@ -84,7 +84,7 @@ class BoundaryRule:
 
 @dataclass(frozen=True, slots=True)
 class Voicing:
-    """How tones sound: semitones on an accented word, the punctuation that ends a phrase so."""
+    """The sound of tones: semitones on an accented word, the punctuation that ends a phrase so."""
 
     accents: Mapping[str, Annotated[float, Range(-12.0, 12.0)]]
     boundaries: Mapping[str, str]

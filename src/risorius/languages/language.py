@@ -68,7 +68,7 @@ class Clauses:
 
 
 class Nouns(StrEnum):
-    """How nouns are told from other content words."""
+    """The way to tell nouns from other content words."""
 
     CAPITALS = "capitals"
     DETERMINERS = "determiners"
@@ -176,14 +176,14 @@ class Language:
     number_readings: NumberReadings
 
     def is_function_word(self, text: str) -> bool:
-        """Tell whether a word normally carries no accent; what apostrophes join does not if no part does."""
+        """Tell whether a word normally has no accent; a word with apostrophes has none if no part has one."""
         word = plain_word(text)
         return word in self.function_words or (
             "'" in word and all(part in self.function_words for part in word.split("'"))
         )
 
     def stem(self, text: str) -> str:
-        """Return what the forms of a word have in common: "prefer" of "prefers" and "preferred"."""
+        """Return the part that the forms of a word have in common: "prefer" of "prefers" and "preferred"."""
         word = plain_word(text)
         fitting = (end for end in self.discourse.endings if word.endswith(end))
         longest = max((end for end in fitting if len(word) - len(end) >= _SHORTEST_STEM), key=len, default="")

@@ -94,7 +94,7 @@ def _tables(code: str, name: str) -> tuple[str, dict[str, Any]]:
 
 
 def _laid_over(base: Mapping[str, Any], tables: Mapping[str, Any]) -> dict[str, Any]:
-    """Return both; what both have is from `tables`, or again both if it is a table."""
+    """Return both merged; `tables` overrides, and tables within both are merged again."""
     return {
         **base,
         **{

@@ -60,7 +60,7 @@ Hearing = Future[HeardPhrase]
 
 
 def hear_phrase(phrase: VoicedPhrase, language: str) -> HeardPhrase:
-    """Return what a phrase says when: by its words' times, else by its text, else by ear.
+    """Return the timed words of a phrase: by its words' times, else by its text, else by ear.
 
     One that cannot be heard is played with the mouth at rest.
     """
@@ -120,7 +120,7 @@ def perform_voice(
 
 
 def texts_of(phrases: Sequence[HeardPhrase]) -> tuple[str, ...]:
-    """Return what the phrases say, with the blanks between them."""
+    """Return the text of the phrases, with the blanks between them."""
     return tuple(phrase.text.strip() + " " if phrase.text.strip() else "" for phrase in phrases)
 
 

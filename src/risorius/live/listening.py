@@ -1,4 +1,4 @@
-"""When a listener nods: at the pauses of who speaks to it, and after low pitch."""
+"""Times at which a listener nods: at the speaker's pauses, and after low pitch."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ NOD_SECONDS, NOD_DEGREES = 0.4, -5.0
 
 
 class PauseListener:
-    """Tells when to nod at what the other says, from sound in pieces, cut anywhere."""
+    """Tells when to nod at the other's speech, from sound in pieces, cut anywhere."""
 
     def __init__(self) -> None:
         self._rest = np.zeros(0)

@@ -1,4 +1,4 @@
-"""When a frame is due: the first at once, each other one by the frame rate after it."""
+"""The times at which frames are due: the first at once, the others by the frame rate after it."""
 
 from __future__ import annotations
 

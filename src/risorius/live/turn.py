@@ -72,7 +72,7 @@ class LiveStretch:
 
 @dataclass(frozen=True, slots=True)
 class TurnPlan:
-    """How a turn is performed: `performer` makes it by the `settings`, and it begins at the frame `first`.
+    """The plan of a turn: `performer` makes it by the `settings`, and it begins at the frame `first`.
 
     `rate` is that of a turn without sound.
     """
@@ -164,7 +164,7 @@ def stretch_of(
     feelings: Displays,
     rate: int,
 ) -> LiveStretch:
-    """Return what is played from the frame `first` on; `rate` is that of what has no sound.
+    """Return the stretch that plays from the frame `first` on; `rate` is that of a turn without sound.
 
     `texts`: those of the sentences, with the blanks between them.
     """

@@ -121,7 +121,7 @@ class VoiceBuffer:
         return list(self._whole())
 
     def flush(self) -> list[VoicedPhrase]:
-        """Return what waits as a phrase; words are counted anew."""
+        """Return the waiting sound as a phrase, and start to count words anew."""
         rest = [self._phrase(len(self._sound), len(self._words))] if len(self._sound) else []
         self._decoder, self._text, self._has_text, self._words, self._since = None, "", False, [], 0.0
         self._sound, self._pauses = np.zeros(0, np.int16), _PauseFinder()

@@ -37,11 +37,11 @@ class LiveSentence:
 
     @property
     def is_heard(self) -> bool:
-        """Whether it is known what it says when."""
+        """Whether its words and their times are known."""
         return self.voice is None or self.voice.done()
 
     def joins(self, first: LiveSentence) -> bool:
-        """Tell whether it can be performed together with what a turn began with."""
+        """Tell whether it can be performed together with the first sentence of a turn."""
         return self.feelings == first.feelings and self.rate == first.rate
 
 
@@ -73,7 +73,7 @@ class WaitingSentences:
         return tuple(Display(name, amount) for name, amount in self._feelings.items() if amount)
 
     def feel(self, emotion: str, intensity: float) -> None:
-        """Feel an emotion with what becomes whole from now on."""
+        """Feel an emotion with the sentences that become whole from now on."""
         self._feelings[emotion] = intensity
 
     def add_text(self, text: str) -> None:
@@ -90,14 +90,14 @@ class WaitingSentences:
         text: str,
         words: Iterable[tuple[str, float, float]],
     ) -> None:
-        """Add a piece of a voice; text that waits for its end ends. InputError for what cannot be used."""
+        """Add a piece of a voice; text that waits for its end ends. InputError for a bad rate or words."""
         self._check()
         phrases = self._voice.add(audio, rate, encoding, text, words)
         self._queue(self._text.flush())
         self._hear(phrases)
 
     def end(self) -> None:
-        """End what waits for its end."""
+        """End the text and the voice that wait for their end."""
         self._queue(self._text.flush())
         self._hear(self._voice.flush())
 

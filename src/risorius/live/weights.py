@@ -94,7 +94,7 @@ class LiveSolvers:
         self.fit = ArkitFit.of(self._free[0].head)
 
     def __len__(self) -> int:
-        """How many wait for a solver."""
+        """The number of faces that wait for a solver."""
         return len(self._waiting)
 
     @contextmanager
