@@ -19,7 +19,7 @@ _LEAST = 0.05  # that a curve moves, to be shown
 
 
 class ShownTake(Protocol):
-    """A performance with what is said, as `Take` is one."""
+    """A performance with its utterance, as a `Take` is."""
 
     @property
     def performance(self) -> Performance:

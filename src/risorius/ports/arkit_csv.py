@@ -147,7 +147,7 @@ def _columns(header: Header) -> list[Column]:
 
 
 def _counter(right: Collection[str], here: int) -> Parse:
-    """Return what checks that a row says how many values it holds; nothing is kept of it."""
+    """Return the check that a row gives its number of values; nothing is kept of it."""
 
     def check(text: str) -> tuple[()]:
         if text not in right:

@@ -1,4 +1,4 @@
-"""Captured faces read back: what the readers of formats have in common.
+"""Captured faces read back: the shared parts of the readers of formats.
 
 Files are read row by row, and only the numbers that are asked for are kept.
 """
@@ -25,7 +25,7 @@ from ..errors import InputError, Place
 from .readable import ScoreFile
 
 Parse = Callable[[str], Sequence[float]]
-"""Reads a cell; raises ValueError saying what was expected."""
+"""Reads a cell; raises ValueError with the expected form."""
 
 HEAD_ANGLES = [INDEX[f"head_{angle}"] for angle in ("pitch", "yaw", "roll")]
 GAZE_ANGLES = [INDEX["gaze_pitch"], INDEX["gaze_yaw"]]
@@ -55,7 +55,7 @@ def radians(text: str) -> tuple[float]:
 
 @dataclass(frozen=True, slots=True)
 class Column:
-    """A column that is wanted: its name, what reads a cell, and how many numbers that gives."""
+    """A wanted column: its name, the reader of its cells, and the count of numbers from each."""
 
     name: str
     parse: Parse = number
@@ -151,7 +151,7 @@ def _header(path: Path, lines: Iterator[tuple[int, str]], spelled: Mapping[str, 
 
 
 def _fault_of(name: str, before: Sequence[str]) -> str:
-    """Say what is wrong with a column's name by itself; nothing if all is well."""
+    """Return the fault of a column's name by itself, if any."""
     if not name:
         return "a column has no name"
     if name[0] in "0123456789-+.":

@@ -136,7 +136,7 @@ def animate(scene: GlbScene, times: Array, weights: Mapping[str, Array], turns: 
 
 
 def _moves(hairs: RidingHairs, moved: Mapping[str, Array]) -> dict[str, Array]:
-    """Return displacements by part: those given, and of the hairs on the skin; none for what stays."""
+    """Return displacements by part: those given, and of the hairs on the skin; none for resting parts."""
     everything = {**moved, **hairs.moves(moved["skin"])}
     return {name: move for name, move in everything.items() if np.abs(move).max() > _SMALL}
 

@@ -36,7 +36,7 @@ class HeadFolds:
         self._rows, self._regions = np.nonzero(((masks > 0.0) & self._near).T)
 
     def described(self) -> StageFolds:
-        """Return what a page needs to know of them."""
+        """Return the table of them that a page needs."""
         styles = tuple(tuple(row) for row in self._creases.style.astype(float).tolist())
         return StageFolds(len(self._rows), STEP, SLOTS, styles)
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class ScoreFile:
-    """A file's movements or curves as a score, and what is said in it (None if nothing is)."""
+    """A file's movements or curves as a score, and its utterance (None if nothing is said)."""
 
     score: Score
     utterance: Utterance | None = None
@@ -25,7 +25,7 @@ class ScoreFile:
 
 @dataclass(frozen=True, slots=True)
 class PerformanceFile:
-    """A file's performance, its curves as written, and what is said in it (None if nothing is)."""
+    """A file's performance, its curves as written, and its utterance (None if nothing is said)."""
 
     performance: Performance
     utterance: Utterance | None = None

@@ -38,7 +38,7 @@ class ShapeMap:
 
 @dataclass(frozen=True, slots=True)
 class MuscleCoverage:
-    """How well the character shows one of our parameters.
+    """The quality with which the character shows one of our parameters.
 
     `left_over`: the share 0..1 of its movement that the available shapes do not make, and `rms` that in mm,
     both measured on our head; `best` is the share that all 52 shapes would leave over.

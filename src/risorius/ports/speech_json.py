@@ -38,7 +38,7 @@ class SpeechDocument:
     sample_rate: Annotated[int, Range(1, 768_000)] = _SAMPLE_RATE
 
     def utterance(self, folder: Path, duration: float) -> Utterance:
-        """Return what is said; the sound is looked for from `folder` on.
+        """Return the utterance; the sound is looked for from `folder` on.
 
         Without `audio` it is silent, as long as the phones. `duration` is the score's, in seconds. Raises
         MisfitError, also if the phones do not cover the sound.
@@ -58,7 +58,7 @@ class SpeechDocument:
             ) from None
 
     def _check_parts(self) -> None:
-        """Raise MisfitError for what ends before it starts, and for a part that is not there."""
+        """Raise MisfitError for a part that ends before it starts, and for a missing part."""
         for name, is_within in _REFERENCES.items():
             for number, part in enumerate(getattr(self, name)):
                 if not is_within(part, self):

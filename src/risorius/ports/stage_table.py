@@ -1,4 +1,4 @@
-"""How a page unpacks the faces of a head, and in which light it draws them."""
+"""The table by which a page unpacks the faces of a head, and the light in which it draws them."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class StageLight:
 
 @dataclass(frozen=True, slots=True)
 class StageBlood:
-    """How skin changes its colour, as `looks/perfusion.py` says it.
+    """Changes of the skin's colour, as computed in `looks/perfusion.py`.
 
     What the usual blood absorbs of red, green and blue in skin and in lips, and the least and the most that
     moving skin gains of the usual blood; how often the areas are smoothed by which this is known.

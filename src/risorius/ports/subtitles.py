@@ -1,4 +1,4 @@
-"""`.srt .vtt`: what is said as subtitles. Lost: all but the words and their times.
+"""`.srt .vtt`: the words as subtitles. Lost: all but the words and their times.
 
 A cue holds as many phrases of a sentence as fit in two lines; a phrase that is longer is divided between
 words. A line has 42 characters at most, as broadcasters' guides to subtitles have it. Punctuation is that of

@@ -79,7 +79,7 @@ def cues(utterance: Utterance, shapes: Callable[[Viseme], tuple[str, ...]], sile
 
 
 def said(take: WritableTake) -> Utterance:
-    """Return what is said; raise OutputError if nothing is."""
+    """Return the utterance; raise OutputError if nothing is said."""
     if take.utterance is None:
         raise OutputError("there is no speech to write; expected a performance that speaks")
     return take.utterance

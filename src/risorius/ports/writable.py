@@ -53,7 +53,7 @@ class WritableTake(Protocol):
         """
 
     def reasons(self, time: float) -> Sequence[str]:
-        """Return the lines that say why what moves at a time in seconds has its value."""
+        """Return the lines that say why each parameter that moves at a time in seconds has its value."""
 
     def measures(self, frame: FaceFrame) -> Sequence[float] | Array:
         """Return the numbers of `landmarks_csv.COLUMNS` after `time_s`, in that order."""
@@ -64,7 +64,7 @@ class WritableTake(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class WriteOptions:
-    """How outputs are written.
+    """The options of outputs.
 
     `size`: width and height of pictures in pixels. `at`: the time in seconds of a single picture, None for
     the middle; `every`: a contact sheet of every n-th frame instead. `alpha`: pictures have an alpha

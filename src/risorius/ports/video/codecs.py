@@ -9,7 +9,7 @@ from types import MappingProxyType
 
 @dataclass(frozen=True, slots=True)
 class Codec:
-    """How pictures and sound are encoded, in the names of FFmpeg.
+    """The encoding of pictures and sound, in the names of FFmpeg.
 
     `container`; `video` with its `options`, of which those in `draft_options` are others for drafts; `pixels`
     of opaque pictures and `alpha_pixels` of those with an alpha channel, None if it cannot be kept;
