@@ -45,7 +45,7 @@ def values_of(names: tuple[str, ...]) -> dict[str, Any]:
 
 @cache
 def presets() -> Mapping[str, str]:
-    """Return what each preset is for, by its name."""
+    """Return the purpose of each preset, by its name."""
     return FrozenDict({name: read_tables(text, name)[_DESCRIPTION] for name, text in _texts().items()})
 
 

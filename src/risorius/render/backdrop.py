@@ -63,7 +63,7 @@ def _shaded(width: int, height: int, centre: ByteColour, edge: ByteColour) -> Fl
 
 
 def check_background(background: str) -> None:
-    """Raise InputError for what is neither a colour nor a picture that can be decoded."""
+    """Raise InputError for a text that is neither a colour nor a picture that can be decoded."""
     if is_file(Path(background)):
         with _opened(Path(background)) as image:
             image.load()
@@ -83,7 +83,7 @@ def _picture(path: Path, width: int, height: int) -> Float32Array:
 
 @contextmanager
 def _opened(path: Path) -> Iterator[Image]:
-    """Open a picture; raise InputError if it is too large, and for what the block finds wrong with it."""
+    """Open a picture; raise InputError if it is too large, or the block finds a fault in it."""
     from PIL import Image
 
     place = Place(str(path))

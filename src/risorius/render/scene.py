@@ -108,7 +108,7 @@ class HeadScene:
         self._weight[: len(self._offset)] = self.head.skin.matrix @ self.head.neck_weight
 
     def _bake(self, lamps: Float32Array) -> None:
-        """Compute what the skin at rest sees of its surroundings, and of all lamps (n, 7) but the first."""
+        """Compute the light at the resting skin from its surroundings and all lamps (n, 7) but the first."""
         count = self.skin_vertices
         self._normals.update(self._local, self.normals[: self.mesh_vertices])
         normals, solid = self.normals[: self.mesh_vertices], slice(0, self.solid)
@@ -155,7 +155,7 @@ class HeadScene:
                 raise InputError(f"a frame whose {name} is {points.shape}; this head's is {(int(size), 3)}")
 
     def show_hair(self, points: Int8Array) -> ShownHair:
-        """Return what is shown of the hair if `points` are (see `ShownHair`)."""
+        """Return the visible hair if `points` are visible (see `ShownHair`)."""
         first, last = points[self.surfaces[self.solid :] - HAIR].T
         shown = self.solid + np.flatnonzero((first <= self.hair_segments) & (self.hair_segments < last))
         pairs = np.unique((self.triangles[shown] - self.mesh_vertices) // 2)
@@ -175,7 +175,7 @@ class HeadScene:
         return self._read_pose(frame, rotation, pivot)
 
     def at_rest(self) -> list[AnyArray]:
-        """Return the arrays on which depends what is seen of the head at rest from any place."""
+        """Return the arrays that determine the view of the head at rest from any place."""
         fields = ("roots", "weights", "curves", "widths", "behind")
         hairs = [np.asarray(getattr(group, name)) for group in self._hairs for name in fields]
         return [self.rest[: self.mesh_vertices], self.triangles, self.surfaces, self.two_sided, *hairs]
