@@ -1,4 +1,4 @@
-"""BML's behaviours: what each may say, and the sync points that it has by itself.
+"""BML's behaviours: their attributes, and the sync points that each has by itself.
 
 Reader and writer share its words: what reads scripts (`bml`), and the feedback that is written from a plan.
 """

@@ -46,7 +46,7 @@ class Dictated(NamedTuple):
 
 @dataclass
 class _Reading:
-    """How far an item has been read."""
+    """The state of reading an item."""
 
     item: Item
     at: int = 0

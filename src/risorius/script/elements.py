@@ -58,7 +58,7 @@ def read_elements(text: str, source: str) -> list[Element]:
 
 
 class XmlReader:
-    """One reading of XML: how positions are counted, and what is open. What is found is kept by its kinds."""
+    """One reading of XML: it counts positions and keeps the open elements. Subclasses keep what they find."""
 
     # The example that messages give as expected.
     example = EXAMPLE
@@ -87,7 +87,7 @@ class XmlReader:
         return re.sub(r"[^\n]", " ", declaration[0]) + text[declaration.end() :]
 
     def parse(self) -> None:
-        """Read everything; raise InputError, with its place, for what is not well-formed."""
+        """Read everything; raise InputError, with its place, if the markup is not well-formed."""
         parser = expat.ParserCreate("utf-8")
         parser.ordered_attributes = True
         parser.StartElementHandler = self._start

@@ -1,4 +1,4 @@
-"""The markup's elements: what each one's attributes mean.
+"""The markup's elements: the meaning of their attributes.
 
 A new element is a function from attributes to marks and its line in `ELEMENTS`.
 """

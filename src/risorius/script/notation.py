@@ -38,7 +38,7 @@ class Item:
 
 @dataclass(frozen=True, slots=True)
 class Bracket:
-    """A pair of brackets: its items, where it opens, and what follows it up to the next."""
+    """A pair of brackets: its items, its place, and the text after it up to the next."""
 
     items: tuple[Item, ...]
     place: Place

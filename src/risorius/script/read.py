@@ -1,4 +1,4 @@
-"""From what the user gave, text or the name of a file, to a script: one reader per suffix.
+"""Read a user's text, or the file that it names, into a script: one reader per suffix.
 
 A new format is a file with a function from text and name to a script, and its line in `READERS`.
 """
