@@ -49,7 +49,7 @@ class Emblem:
 
 @dataclass(frozen=True, slots=True)
 class Emotion:
-    """How an emotion is displayed. `units`: action units or muscles at intensity 1. Seconds.
+    """The display of an emotion. `units`: action units or muscles at intensity 1. Seconds.
 
     `apex`: how long a display that has a start and no end stays at its height. `function`: how it rises and
     falls, an onset function. `priority`: over other channels at no, low, medium, high and full intensity
@@ -96,7 +96,7 @@ class Emotion:
 
     @property
     def seconds(self) -> float:
-        """How long a display lasts that has a start and no end."""
+        """The duration of a display that has a start and no end."""
         return self.onset + self.apex + self.offset
 
     def priority_at(self, intensity: float) -> float | None:
@@ -198,7 +198,7 @@ def emotion(name: str) -> Emotion:
 
 
 def emotion_key(name: str) -> str:
-    """Return by what `emotion` finds the emotion called `name`: its own name, or its file's path.
+    """Return the key by which `emotion` finds the emotion called `name`: its own name, or its file's path.
 
     Raises ParameterError, naming the nearest one, for an unknown name.
     """

@@ -23,7 +23,7 @@ FELT, POSED = EXPRESSIONS
 @dataclass(frozen=True, slots=True)
 class ExpressionKind:
     """Factors on an emotion's onset and offset, its onset function (None: its own), and whether it modulates
-    what the speaker does else.
+    the speaker's other movements.
     """
 
     onset: TimeFactor

@@ -29,7 +29,7 @@ class Keeps:
 
 @dataclass(frozen=True, slots=True)
 class EmotionPair:
-    """Two emotions and what each keeps beside the other."""
+    """Two emotions, and the shares that each keeps beside the other."""
 
     one: str
     other: str
@@ -55,7 +55,7 @@ class FuzzyTable:
         check_centres(self.difference)
 
     def keeps(self, name: str, other: str) -> Keeps:
-        """Return the rules for what an emotion keeps beside another."""
+        """Return the rules for the shares that an emotion keeps beside another."""
         for pair in self.pair:
             if (pair.one, pair.other) == (name, other):
                 return Keeps(pair.upper, pair.lower)

@@ -1,4 +1,4 @@
-"""The lips' table: what each phone wants of the articulators, and how strongly (`data/lips.toml`)."""
+"""The lips' table: the targets of each phone for the articulators, and their strength (`data/lips.toml`)."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ class Diphthong:
 
 @dataclass(frozen=True, slots=True)
 class Opening:
-    """How stress, accents, position and the voice change the shape of a vowel.
+    """Changes of a vowel's shape by stress, accents, position and the voice.
 
     The factors multiply to at most `widest`. An articulator takes its share of what that is beyond 1: of
     `unrounded` or of `rounded`, else none.
@@ -115,7 +115,7 @@ class Pausing:
 
 @dataclass(frozen=True, slots=True)
 class Tempo:
-    """How slower speech is articulated more fully: (usual/rate)**`share` times, between `least` and `most`.
+    """Fuller articulation of slower speech: (usual/rate)**`share` times, between `least` and `most`.
 
     `usual`: syllables a second; `faster`: how many times as many other languages have, by their codes.
     `syllables`: a stretch of fewer has the usual rate, because its last syllable is long.

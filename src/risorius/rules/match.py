@@ -110,7 +110,7 @@ def felt_modulations(felt: Mapping[str, float]) -> tuple[Modulation, ...]:
 
 @lru_cache(maxsize=1024)
 def conditions(when: When) -> tuple[Condition, ...]:
-    """Return functions that tell whether a unit is what a rule asks for, one for each thing that it asks."""
+    """Return functions that tell whether a unit meets a rule, one for each condition of the rule."""
     words = frozenset(when.words)
     each: list[tuple[object, Condition]] = [
         (when.accent, lambda u: u.accents and _labelled(when.accent, [a.label for a in u.accents])),
@@ -187,7 +187,7 @@ def _targets(rule: Rule, size: float, mirrored: bool) -> dict[str, float]:
 
 @lru_cache(maxsize=1024)
 def _kept(targets: tuple[tuple[str, float], ...]) -> Mapping[str, float]:
-    """Return what `kept_units` does of a rule's targets, which are the same for all its units."""
+    """Return `kept_units` of a rule's targets, which are the same for all its units."""
     return FrozenDict(kept_units(dict(targets)))
 
 

@@ -26,12 +26,9 @@ Normal = tuple[HabitSeconds, HabitSeconds]
 """Mean and standard deviation."""
 
 
-"""How blinks that no rule asks for come: as measured, as the sources of papers A and B print, or not."""
-
-
 @dataclass(frozen=True, slots=True)
 class BlinkHabits:
-    """How the eyes are kept wet. Seconds.
+    """The habits of blinking. Seconds.
 
     `model`: one of `BLINK_MODELS`. `interval`: of the log-normal distribution of "natural" times from the end
     of a blink to the next, the median and the standard deviation of the logarithm. `wait`: the typical wait
@@ -179,7 +176,7 @@ def profile_texts() -> Mapping[str, str]:
 
 
 def profile_from(text: str, name: str, bases: Mapping[str, str]) -> Profile:
-    """Return the profile of TOML `text`: what it leaves out stands in its base's, one of `bases`.
+    """Return the profile of TOML `text`; keys that it leaves out come from its base, one of `bases`.
 
     Raises InputError, with its place, if it does not fit.
     """

@@ -164,7 +164,7 @@ class Effect:
 
 @dataclass(frozen=True, slots=True)
 class Timing:
-    """When a rule's movement comes and goes, seconds.
+    """The timing of a rule's movement, seconds.
 
     It starts `lead` before the anchor, is held for `apex` (to the unit's end if None), and is snapped to
     the phonemes' boundaries unless `snap` is false. `function`: an onset function, the channel's if None.

@@ -1,4 +1,4 @@
-"""Sets of rules: ours, and what a user's file adds, replaces and deletes (paper B, section 3.2)."""
+"""Sets of rules: ours, and those that a user's file adds, replaces and deletes (paper B, section 3.2)."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class RuleFile:
 
 @dataclass(frozen=True, slots=True)
 class RuleEntry:
-    """A rule, where it stands, and as what."""
+    """A rule, its place, and its text in the file."""
 
     rule: Rule
     place: Place
@@ -49,7 +49,7 @@ class RuleEntry:
 
 @dataclass(frozen=True)
 class RuleSet:
-    """The rules that hold, by id, in the order of their files, and what the files change in habits.
+    """The rules that hold, by id, in the order of their files, and the files' changes of habits.
 
     `habit_places`: where each of the changed habits stands; `tables`, `table_places`: likewise of tables.
     """
@@ -81,7 +81,7 @@ def shipped() -> RuleSet:
 
 
 def rule_names() -> dict[str, str]:
-    """Return the ids of the rules that come with Risorius, with what each is for."""
+    """Return the ids of the rules that come with Risorius, with the purpose of each."""
     return {rule.id: rule.comment for rule in shipped()}
 
 

@@ -61,7 +61,7 @@ def synchrony() -> Synchrony:
 
 @dataclass(frozen=True, slots=True)
 class MovementPhases:
-    """When a movement starts, is there, begins to leave and has ended, seconds, in that order."""
+    """The times at which a movement starts, is there, begins to leave and has ended, in seconds."""
 
     start: float
     apex: float

@@ -137,7 +137,7 @@ def _emotions(changes: TableChanges) -> Mapping[str, Emotion]:
 
 
 def _new_emotion(name: str, entry: TableEntry) -> dict[str, Any]:
-    """Return what an emotion has beside the values that its entry gives it."""
+    """Return the emotion's fields beside the values that its entry gives it."""
     targets = entry.values.get("targets", {})
     emblem = {"onset": 0.25, "offset": 0.35, "duration": 1.0, "targets": targets}
     return {

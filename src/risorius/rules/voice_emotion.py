@@ -1,4 +1,4 @@
-"""How emotions change the voice (`data/voice_emotion.toml`; paper B, section 2.2)."""
+"""Changes of the voice by emotions (`data/voice_emotion.toml`; paper B, section 2.2)."""
 
 from __future__ import annotations
 
