@@ -1,4 +1,4 @@
-"""From what a user names, texts and files, to a script or a recording."""
+"""Read the texts and files that a user names into a script or a recording."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class Input:
 
 
 def read(source: Input) -> Script | Recording | LabelledRecording:
-    """Return a script that is to be spoken, or a recording with what is known of its words.
+    """Return a script that is to be spoken, or a recording with its known words.
 
     Raises InputError, with its place, for what is missing, does not fit together or cannot be read; whether
     recording and labels can be used is seen when they are heard.

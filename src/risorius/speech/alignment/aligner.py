@@ -40,7 +40,7 @@ _LEAST = 0.005
 def align(
     audio: Audio, transcript: str, language: str | None = None, progress: Progress = quiet
 ) -> Utterance:
-    """Return what is said when in a recording of a `transcript`, in `language`, by default English.
+    """Return the timed utterance of a recording of `transcript`, in `language`, by default English.
 
     The model is English: the phones of another language are found by the nearest of its phones. Raises
     InputError for a transcript without words, and for one that does not fit the recording, SpeechError for an

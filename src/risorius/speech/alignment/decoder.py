@@ -93,7 +93,7 @@ class Decoders:
     def align_in_turn(
         self, sound: Array, words: Sequence[Readings], *, last: bool
     ) -> Future[list[AlignedPhone]]:
-        """Begin to align the next of several sounds, which finds what `align_words` does, and return at once.
+        """Begin to align the next of several sounds, as `align_words` does, and return at once.
 
         Two are aligned at the same time. `last`: no other will follow.
         """
@@ -182,7 +182,7 @@ def _aligned(process: _Process, sound: Array, words: Sequence[Readings]) -> list
 
 
 def with_decoders(work: Callable[[Decoders], T]) -> T:
-    """Return what `work` makes of the decoders of one recording; if they die or fall silent, with new ones.
+    """Return the result of `work` with one recording's decoders; if they die or fall silent, with new ones.
 
     Raises SpeechError if these do, too.
     """

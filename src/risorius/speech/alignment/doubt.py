@@ -42,7 +42,7 @@ _SHOWN = 8
 
 @dataclass(frozen=True, slots=True)
 class AlignmentDoubt:
-    """How badly a transcript fits its recording: that of the `worst` word or silence, 0 and more (its mean
+    """The misfit of a transcript to its recording: that of the `worst` word or silence, 0 and more (its mean
     log likelihood per 10 ms, negated, as of English; 50 and more is in doubt), and the `words` in doubt with
     their times.
     """

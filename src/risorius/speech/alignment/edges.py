@@ -38,7 +38,7 @@ FEATURES = (
     "distance",
     "distance_squared",
 )
-"""What candidates are compared by: levels by band, how much they change, and the distance moved."""
+"""The features of candidates: levels by band, how much they change, and the distance moved."""
 CLASSES = tuple(SoundClass)
 SHORTEST_STEPS = 4
 FILE = "edges.npz"
@@ -46,7 +46,7 @@ FILE = "edges.npz"
 
 @dataclass(frozen=True, slots=True)
 class EdgeModel:
-    """What was learned, by classes of phones; `numbers` has the place of each phone's class in CLASSES.
+    """The learned weights, by classes of phones; `numbers` has the place of each phone's class in CLASSES.
 
     `bias` (classes, classes) in seconds; the weights `left` and `right` (classes, features) of the class to
     the left and of that to the right.
@@ -88,7 +88,7 @@ def place_edges(levels: Array, symbols: Sequence[str], edges: Array) -> Array:
 
 
 def candidate_features(levels: Array, steps: Int64Array) -> Array:
-    """Return what distinguishes the candidates within REACH of each step: (n, 2 REACH + 1, features)."""
+    """Return the features of the candidates within REACH of each step: (n, 2 REACH + 1, features)."""
     count = len(levels)
     sums = np.concatenate((np.zeros((1, BANDS)), np.cumsum(levels, axis=0)))
     at = steps[:, None] + np.arange(-REACH, REACH + 1)

@@ -1,4 +1,4 @@
-"""Readings of a transcript's words: the dictionary's, and espeak-ng's for what it lacks.
+"""Readings of a transcript's words: the dictionary's, and espeak-ng's for the words that it lacks.
 
 The whole transcript is spoken by espeak-ng first. That reads numbers and abbreviations out, tells every word
 its stress in context, and gives a reading to words out of the dictionary. The words of the dictionary

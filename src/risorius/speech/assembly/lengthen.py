@@ -1,4 +1,4 @@
-"""Longer and shorter pauses in what an engine has spoken."""
+"""Longer and shorter pauses in an engine's rendition."""
 
 from __future__ import annotations
 

@@ -165,5 +165,5 @@ def _loudness(decibels: float) -> int:
 
 
 def voice_attribute(key: str) -> str:
-    """Return the attribute by which the element `voice` names what espeak-ng calls `key`."""
+    """Return the attribute of the element `voice` for espeak-ng's `key`."""
     return f"name={quoteattr(key)}"

@@ -27,7 +27,7 @@ class Voice:
 
     @property
     def language(self) -> str:
-        """The language of the voice; "" for what is only a variant of others."""
+        """The language of the voice; "" for a voice that is only a variant of others."""
         return self.languages[0] if self.languages else ""
 
 
@@ -95,5 +95,5 @@ class SpeechEngine(Protocol):
         ...
 
     def close(self) -> None:
-        """Release what the engine holds; a later call takes it up again."""
+        """Release the engine's resources; a later call acquires them again."""
         ...

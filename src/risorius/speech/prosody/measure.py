@@ -1,4 +1,4 @@
-"""An utterance with what its sound tells of how it is said."""
+"""An utterance with the prosody measured in its sound."""
 
 from __future__ import annotations
 

@@ -145,7 +145,7 @@ def _minima(normalised: Array) -> _Candidates:
 
 
 def _centred(hertz: Array) -> Array:
-    """Return the F0 at the frames' times: what was compared lies the earlier, the shorter the period."""
+    """Return the F0 at the frames' times: the compared samples lie earlier, the shorter the period."""
     longest = int(RATE / LOWEST) + 2
     times = STEP * np.arange(len(hertz)) - 0.5 * (longest / RATE - 1.0 / hertz)
     centred = hertz.copy()

@@ -1,4 +1,4 @@
-"""Statistics of what was heard so far, which start from priors: nothing that follows changes them."""
+"""Statistics of the sound so far, which start from priors: later sound does not change them."""
 
 from __future__ import annotations
 
@@ -153,7 +153,7 @@ def unknown_speaker() -> SpeakerStatistics:
 
 
 def known_voice(hertz: float) -> SpeakerStatistics:
-    """Return what is known of a synthesizer's voice: the mean of its pitch."""
+    """Return the statistics of a synthesizer's voice: the mean of its pitch."""
     usual = priors()
     syllables = usual.seconds * usual.syllables
     return _speaker(12.0 * float(np.log2(hertz)), usual.voice.deviation, syllables, _frames())

@@ -1,4 +1,4 @@
-"""The sound of films and of what telephones record: m4a, mp4, mov, webm, aac, by a worker process."""
+"""The sound of films and of telephones' recordings: m4a, mp4, mov, webm, aac, by a worker process."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ NO_WORD = -1
 
 
 def utterance_of_labels(grid: TextGrid, audio: Audio | None = None) -> Utterance:
-    """Return what a TextGrid says; without a recording it is silent.
+    """Return the utterance of a TextGrid; without a recording it is silent.
 
     Tiers `accents`, `boundaries` and `tones` (points with ToBI's labels) give accents and boundaries. Raises
     InputError, with the line, for tiers that are missing, overlaps, unknown phones and labels beyond the

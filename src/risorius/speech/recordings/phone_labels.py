@@ -46,7 +46,7 @@ class PhoneLabel(NamedTuple):
 
 
 def read_phones(labels: Sequence[Label], source: str) -> tuple[bool, list[PhoneLabel]]:
-    """Return whether the labels are ARPAbet (else IPA), and what each stands for.
+    """Return whether the labels are ARPAbet (else IPA), and the meaning of each.
 
     Raises InputError, with the line, for a label that is not a phone.
     """

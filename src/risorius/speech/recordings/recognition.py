@@ -35,7 +35,7 @@ _ALTERNATIVE = re.compile(r"\(\d+\)$")
 
 
 def recognize(audio: Audio, progress: Progress = quiet) -> Utterance:
-    """Return what seems to be said when in a recording.
+    """Return the words and times that are recognized in a recording.
 
     Raises InputError if nothing is, SpeechError if the recognizer fails. `progress` is told how many seconds
     of a long recording are recognized.

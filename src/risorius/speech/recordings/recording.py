@@ -58,7 +58,7 @@ def read_recording(path: str | PathLike[str]) -> Audio:
 
 @contextmanager
 def _hushed() -> Iterator[None]:
-    """Let no library write on standard error: libmpg123 complains there of what is damaged."""
+    """Keep libraries from writing on standard error: libmpg123 complains there of damaged files."""
     try:
         kept = os.dup(2)
     except OSError:
@@ -180,7 +180,7 @@ class _Checks:
             self.clipped += int((long[:, 1] - long[:, 0]).sum())
 
     def report(self, audio: Audio, place: Place) -> None:
-        """Raise InputError for silence; warn of what was mended and of what cannot be."""
+        """Raise InputError for silence; warn of faults that were mended or cannot be."""
         if self.peak < SILENT_PEAK:
             raise InputError("is silent; expected speech", place)
         if self.odd:

@@ -43,7 +43,7 @@ class Resampled:
         return gain * _resampled(self.audio, first, max(count, 0))
 
     def loud_level(self, end: float) -> float:
-        """Return the level of loud speech up to `end` seconds, in dB: what a frame in twenty exceeds."""
+        """Return the level of loud speech up to `end` seconds, in dB, which one frame in twenty exceeds."""
         count = min(max(round(end / LEVEL_STEP), 1), len(self.levels))
         blocks = count // _FRAMES_PER_BLOCK
         counts = self._level_counts[blocks] + _counted(self.levels[blocks * _FRAMES_PER_BLOCK : count])
@@ -55,7 +55,7 @@ class Resampled:
 
     @cached_property
     def _level_counts(self) -> Int32Array:
-        """How many frames before each block have each level, shape (blocks + 1, levels)."""
+        """The number of frames before each block that have each level, shape (blocks + 1, levels)."""
         blocks = len(self.levels) // _FRAMES_PER_BLOCK
         counts = np.zeros((blocks + 1, _LEVELS), np.int32)
         for block in range(blocks):

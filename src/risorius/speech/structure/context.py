@@ -47,7 +47,7 @@ class DiscourseContext:
 
 @dataclass(frozen=True, slots=True)
 class _Question:
-    """Stems of a question: of all its words, of what it turns to, of what it offers as a choice."""
+    """Stems of a question: of all its words, of its topic, of the choices that it offers."""
 
     stems: Set[str] = frozenset()
     topics: Set[str] = frozenset()
@@ -76,7 +76,7 @@ class _Line:
 
 
 def context_of(words: Sequence[PlacedWord], question: str, language: Language) -> DiscourseContext:
-    """Return what the context makes of words; their first sentence answers `question`, unless it is empty."""
+    """Return the effects of the context on words; the first sentence answers `question` if there is one."""
     if not language.spaces:
         return DiscourseContext()
     stems = [language.stem(word.text) for word in words]

@@ -25,7 +25,7 @@ Count = Annotated[int, Range(0, 2**31)]
 
 @dataclass(frozen=True, slots=True)
 class EdgeShift:
-    """By how many seconds a phone begins later than was found; below 0, earlier.
+    """The seconds by which a phone begins later than was found; below 0, earlier.
 
     The phone is number `phone` of the word `word`, which is said for the `nth` time, both from 0 on; the
     number after that of the word's last phone means the silence after the word. `symbol` is the phone's.
