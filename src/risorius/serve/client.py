@@ -142,7 +142,7 @@ class LiveClient:
         return any(known)
 
     def _wanted(self, start: StartFace) -> tuple[FrameLayout, Settings]:
-        """Return what frames hold, and the settings; what cannot be had ends it."""
+        """Return the contents of frames, and the settings; a request that cannot be met ends it."""
         try:
             if start.version != VERSION:
                 raise InputError(f"version {start.version}; expected {VERSION}")
@@ -240,7 +240,7 @@ class LiveClient:
 
 
 def follow(face: Live, message: ClientMessage) -> None:
-    """Do what a message asks for; raises RisoriusError."""
+    """Obey a message; raises RisoriusError."""
     match message:
         case Say():
             sound = message.sound
@@ -266,6 +266,6 @@ def follow(face: Live, message: ClientMessage) -> None:
 
 
 def _started(layout: FrameLayout, settings: Settings) -> str:
-    """Return what the first frame's values will be."""
+    """Return the event `started`, with the names of a frame's values."""
     columns = {str(output): list(names) for output, names in layout.names.items()}
     return written("started", version=VERSION, fps=float(settings.fps), head=settings.head, **columns)

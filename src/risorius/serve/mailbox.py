@@ -45,7 +45,7 @@ class Mailbox:
         self._filled.set()
 
     def end(self) -> None:
-        """Let nothing more be expected than what waits."""
+        """End the queue after the items that wait."""
         self._ended = True
         self._filled.set()
 

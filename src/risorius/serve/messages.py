@@ -27,7 +27,7 @@ VERSION = 1
 
 
 class FrameFormat(StrEnum):
-    """How frames are written."""
+    """The format of frames."""
 
     JSON = "json"
     BINARY = "binary"
@@ -44,7 +44,7 @@ class Output(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class StartFace:
-    """The first message: what is wanted. `ahead`: seconds by which frames come before they are due."""
+    """The first message: the wishes. `ahead`: seconds by which frames come before they are due."""
 
     version: int
     fps: float | str = 30
@@ -107,7 +107,7 @@ class Feel:
 
 @dataclass(frozen=True, slots=True)
 class Listen:
-    """A piece of what the other says: 16-bit samples, little-endian, one channel, in base64."""
+    """A piece of the other's speech: 16-bit samples, little-endian, one channel, in base64."""
 
     audio: str
     rate: int
@@ -130,7 +130,7 @@ class Interrupt:
 
 @dataclass(frozen=True, slots=True)
 class Close:
-    """Say what has arrived, and end."""
+    """Say the text that has arrived, and end."""
 
 
 ClientMessage = StartFace | Say | LookAt | Feel | Listen | Flush | Interrupt | Close
@@ -144,7 +144,7 @@ KINDS: Mapping[str, type[ClientMessage]] = {
     "interrupt": Interrupt,
     "close": Close,
 }
-"""The messages by what `do` calls them."""
+"""The messages by their name in `do`."""
 
 
 def decode(text: str) -> ClientMessage:

@@ -118,7 +118,7 @@ class LiveServer:
 
 
 def warm_up() -> None:
-    """Load and compile what the first client would wait for, beside the process that performs for it."""
+    """Load and compile ahead for the first client, beside the process that performs for it."""
     warm_beside()
     try:
         speak("Hello.", text=True)

@@ -1,4 +1,4 @@
-"""A take sent to another program: who receives it and by which protocol, its sound as the clock."""
+"""A take sent to another program: its receiver and protocol, with the sound as the clock."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ HEADERS = (
 
 
 class Guard:
-    """Lets through what names this server as its host and comes from its own page; adds headers.
+    """Lets through requests that name this server as their host and come from its own page; adds headers.
 
     A page of another site can make a browser send requests here, but then Origin names that site; by a name
     that resolves to this machine, but then Host is that name. `hosts` None allows every host: for servers
