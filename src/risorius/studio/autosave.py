@@ -106,7 +106,7 @@ class Autosave:
                     path.unlink(missing_ok=True)
 
     def load(self, session: Session) -> tuple[str, ...]:
-        """Take up what was saved, if anything was; return what went wrong, then the file is put aside."""
+        """Restore the saved state, if any; return the error, if any, after which the file is put aside."""
 
         def project(path: Path) -> None:
             opened, number = self._read(path, session.files)

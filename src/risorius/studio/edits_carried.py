@@ -64,7 +64,7 @@ class _Places:
 
 
 def carried(before: Version, after: Version) -> Version:
-    """Return the new plan `after` with the edits of `before`; what does not fit is in its `lost`."""
+    """Return the new plan `after` with the edits of `before`; edits that do not fit are in its `lost`."""
     version, left = _made(before.edits, before, after, after)
     lost: list[LostEdit] = []
     for entry in before.lost:
@@ -173,7 +173,7 @@ def _near(time: float, places: _Places, shift: float) -> float:
 
 
 def _lost(edits: list[Edit], before: Version, times: WordTimes) -> Iterator[LostEdit]:
-    """Yield what edits had made, once for each movement and curve."""
+    """Yield the results of edits, once for each movement and curve."""
     seen: set[str] = set()
     for edit in edits:
         name = _name(edit)

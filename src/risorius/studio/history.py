@@ -48,7 +48,7 @@ class History(Generic[T]):
         return other
 
     def push(self, state: T, what: str) -> None:
-        """Make `state` the present; what was undone is forgotten, and the oldest if there are too many."""
+        """Make `state` the present; undone states are forgotten, and the oldest if there are too many."""
         self._steps = [*self._steps[: self._at + 1], Step(state, what)][-self._most - 1 :]
         self._at = len(self._steps) - 1
 

@@ -92,7 +92,7 @@ class Performer:
     def _said(
         self, source: Source, spans: tuple[EmotionSpan, ...], settings: Settings, progress: Progress
     ) -> tuple[Script, Utterance | None, Displays]:
-        """Return a source's script and what is said of it, and where the spans lie in that."""
+        """Return a source's script, its utterance, and the places of the spans in it."""
         source, edges = replace(source, edges=()), source.edges
         if source.recording is not None or source.format == "TextGrid":
             language = settings.language
@@ -119,7 +119,7 @@ class Performer:
     def _with_edges(
         self, key: tuple[object, ...], said: Utterance | None, edges: tuple[EdgeShift, ...]
     ) -> Utterance | None:
-        """Return what is said with the edges of phones that were moved by hand, the same for the same."""
+        """Return the utterance with phone boundaries moved by hand; the same object for the same moves."""
         if said is None or not edges:
             return said
         return self._moved.get((key, edges), lambda: with_edges(said, edges))

@@ -36,7 +36,7 @@ OPENED = "open the project"
 
 @dataclass(slots=True)
 class SessionTake:
-    """A take with its number, and what the page was told of it."""
+    """A take with its number, and the state of it that the page has."""
 
     number: int
     take: Take
@@ -92,14 +92,14 @@ class Session:
         return answers.Done()
 
     def keep_draft(self, request: requests.Draft, progress: Progress) -> answers.Done:
-        """Save what is written, unless it is what was performed."""
+        """Save the written text, unless it has been performed."""
         draft = shared.TakeInputs(request.source, request.choices, request.emotions)
         performed = self.history.present
         self.draft = None if performed is not None and performed.inputs == draft else draft
         return answers.Done()
 
     def forget_prefetch(self) -> None:
-        """Forget what was prepared: a name in it may mean something else now."""
+        """Forget prepared takes: a name in them may mean something else now."""
         self._prefetch = None
 
     def choose(self, request: requests.Choose, progress: Progress) -> takes.TakeView:
@@ -159,7 +159,7 @@ class Session:
         return self._changed(after)
 
     def let_go(self, request: requests.LetGo, progress: Progress) -> takes.TakeChange:
-        """Forget what was lost when the text changed."""
+        """Forget the changes that were lost when the text changed."""
         after = replace(self.version(), lost=(), warnings=())
         self.history.push(after, "forget what did not fit")
         return self._changed(after)
@@ -221,7 +221,7 @@ class Session:
         self.view = view
 
     def open_version(self, version: Version, view: PageView) -> None:
-        """Show the version of another project; undo leads through its edits to what was here before."""
+        """Show the version of another project; undo leads through its edits to the earlier state."""
         self._take_up(version, self.history.copy(), OPENED)
         self.view = view
 

@@ -1,4 +1,4 @@
-"""Results of a stage of the pipeline, kept by what it reads."""
+"""Results of a stage of the pipeline, cached by its inputs."""
 
 from __future__ import annotations
 

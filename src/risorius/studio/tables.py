@@ -105,7 +105,7 @@ class VoiceRow:
 
 @dataclass(frozen=True, slots=True)
 class HeadRow:
-    """A head, who it is, how old and with which hair."""
+    """A head: its title, age and hair."""
 
     name: str
     title: str
@@ -153,7 +153,7 @@ class OutputRow:
 
 @dataclass(frozen=True, slots=True)
 class ChoiceRow:
-    """A value that a setting may have: its name, what is said of it, and what is sent for it."""
+    """A value that a setting may have: its name, its description, and the value that is sent for it."""
 
     name: str
     description: str

@@ -43,7 +43,7 @@ async def to_file(request: Request, folder: Path, most: int) -> Path:
 
 
 def sweep(folder: Path) -> None:
-    """Remove from all sessions in `folder` what a server that was killed had begun to take in."""
+    """Remove the unfinished uploads of a killed server from all sessions in `folder`."""
     latest = time.time() - _OLD
     for path in folder.glob(f"*/{BEGINNING}*"):
         # Another server on the same folder may sweep, too.

@@ -55,7 +55,7 @@ class Version:
 
     @property
     def audible(self) -> Score:
-        """The score without what is on muted lanes."""
+        """The score without the movements on muted lanes."""
         silent, score = self.lanes.silent, self.score
         if not silent:
             return score

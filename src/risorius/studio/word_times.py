@@ -12,7 +12,7 @@ from ..core.utterance import Phone, Utterance, Word
 
 
 class Fit(IntEnum):
-    """How a time is found again: not at all, at a word said in place of its own, at the same word."""
+    """The way in which a time is found again: not at all, at a word in place of its own, at the same word."""
 
     GONE = 0
     REPLACED = 1
@@ -51,7 +51,7 @@ class WordTimes:
         self._starts = [part.start for part in self._parts]
 
     def at(self, time: float) -> tuple[float, Fit]:
-        """Return where a time lies, and how it was found; what is gone lies where it would stand."""
+        """Return a time's new place, and how it was found; times of a lost word lie where it would stand."""
         if not self._parts:
             return time, Fit.SAME
         part = self._parts[max(0, bisect_right(self._starts, time) - 1)]

@@ -22,7 +22,7 @@ class Done:
 
 @dataclass(frozen=True, slots=True)
 class DialState:
-    """The value of every parameter of the dialled face; `notes` name what could not be shown."""
+    """The value of every parameter of the dialled face; `notes` name the parts that could not be shown."""
 
     values: Mapping[str, float]
     notes: tuple[str, ...] = ()

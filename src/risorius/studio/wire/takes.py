@@ -1,4 +1,4 @@
-"""Takes as a page draws them: speech, blocks, curves, and what an edit changed in them."""
+"""Takes as a page draws them: speech, blocks, curves, and the changes of an edit in them."""
 
 from __future__ import annotations
 
