@@ -74,7 +74,7 @@ def align(
     language: str | None = None,
     progress: Progress = quiet,
 ) -> Take:
-    """Return what is said when, and how, in a recording of `transcript` (a text, or the name of its file).
+    """Return the timed utterance of a recording of `transcript` (a text, or the name of its file).
 
     `language` is that of the transcript, by default English; without one the words are recognized as English.
     The take's `utterance` has it; the face rests. Raises RisoriusError with one line on what is wrong and
@@ -95,7 +95,7 @@ def mix(
     onset_function: str | None = None,
     progress: Progress = quiet,
 ) -> Take:
-    """Combine the movements of a score file; `conflict`, `onset_function` and what `settings.blend` chooses
+    """Combine the movements of a score file; `conflict`, `onset_function` and the choices of `settings.blend`
     override the score's own.
 
     Raises RisoriusError; UnreadError for settings of a voice or a plan, which a score has behind it.
@@ -182,7 +182,7 @@ def rig(
     output: FileName | None = None,
     settings: Settings | None = None,
 ) -> tuple[Rig, list[MuscleCoverage]]:
-    """Return what a character (`.glb` with blend shapes) has and how well it shows each of our muscles.
+    """Return a character's (`.glb`) blend shapes, and how well it shows each of our muscles.
 
     With `take` (or what makes it, once the files are known to be right) and `output`, a `.glb`, the character
     is written with the take's animation. Of `settings`, the head is read, which performs and measures. Raises
@@ -239,7 +239,7 @@ def _no_emotion(value: object) -> str:
 
 
 def _text_or_file(words: object) -> str | None:
-    """Return a text, or the name of a file; raise InputError for what is neither, and for a missing path."""
+    """Return a text, or the name of a file; raise InputError for anything else, and for a missing path."""
     if words is None or isinstance(words, str):
         return words
     if not isinstance(words, PathLike):

@@ -106,7 +106,7 @@ def _shown(settings: Any) -> str:
 # fmt: off
 @dataclass(frozen=True, slots=True)
 class Look(metaclass=Named):
-    """How a head is drawn; frozen, checked on creation (InputError names the choice at fault)."""
+    """The look of a drawn head; frozen, checked on creation (InputError names the choice at fault)."""
 
     style: str = _picture(
         "Style", "realistic", "Style of the picture: {names}.",
@@ -147,8 +147,8 @@ class Look(metaclass=Named):
 
 @dataclass(frozen=True, slots=True)
 class BlendChoices(metaclass=Named):
-    """How movements are combined, as far as a user chooses: None leaves it to the score that is performed, or
-    for a script to what `planned` returns. The fields are those of `BlendSettings`.
+    """A user's choices for combining movements: None leaves a choice to the score that is performed, or, for
+    a script, to the values of `planned`. The fields are those of `BlendSettings`.
     """
 
     conflict: str | None = _model(

@@ -57,12 +57,12 @@ class Take:
     cache: HeadCache = field(default_factory=lambda: HeadCache(), repr=False, compare=False)
 
     def __repr__(self) -> str:
-        """Return one line: how long it is, and what is said."""
+        """Return one line: its duration and its text."""
         said = "" if self.utterance is None else f", {textwrap.shorten(self.utterance.text, 60)!r}"
         return f"<Take of {self.duration:.2f} s, {len(self.times)} frames{said}>"
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return what is pickled: the plan, the head and what they make are made again when asked for."""
+        """Return the state to pickle: the plan, the head and their results are made again when needed."""
         state = {part.name: getattr(self, part.name) for part in fields(self)}
         return {**state, "planned": None, "cache": HeadCache()}
 
@@ -100,13 +100,13 @@ class Take:
         return tuple(e for e in explanations if parameter is not None or e.is_seen)
 
     def reasons(self, time: float) -> tuple[str, ...]:
-        """Return what `explain` says of all that moves at a time in seconds, in lines of words."""
+        """Return the explanation of all that moves at a time in seconds, in lines of words."""
         from .blend.narrate import narrate
 
         return tuple(narrate(self.explain(time), time))
 
     def traces(self, parameter: str) -> tuple[Trace, ...]:
-        """Return what each channel asks of a parameter, and what it gets, at every frame.
+        """Return each channel's request for a parameter, and the part applied, at every frame.
 
         `parameter` is a name with its side. Raises ParameterError for an unknown name.
         """
@@ -121,7 +121,7 @@ class Take:
         return summarize(self._plan, self.performance.fps)
 
     def write(self, *paths: str | PathLike[str], progress: Progress = quiet) -> None:
-        """Write files, what each holds being said by its suffix; all appear when the last is complete.
+        """Write files, each in the format of its suffix; all appear when the last is complete.
 
         Raises OutputError if a file cannot be written; then none is.
         """
@@ -279,7 +279,7 @@ class Take:
 
     @cached_property
     def arkit(self) -> ArkitTrack:
-        """The performance as weights of ARKit's 52 shapes, with what they leave over in mm.
+        """The performance as weights of ARKit's 52 shapes, with the distances that they leave, in mm.
 
         Raises HeadError if the head has no such shapes.
         """
@@ -288,7 +288,7 @@ class Take:
         return ArkitFit.of(self.head).track(self.faces(reuse=True))
 
     def fit_arkit(self, progress: Progress = quiet) -> ArkitTrack:
-        """Return `arkit`; when it is fitted for the first time, tell what the weights leave over."""
+        """Return `arkit`; when it is fitted for the first time, report the remaining distances."""
         fitted = "arkit" in vars(self)
         rms, worst = self.arkit.residual
         if not fitted:
@@ -373,7 +373,7 @@ def make_solver(settings: Settings) -> FaceSolver:
 
 
 def lip_rig(score: Score, head: str) -> LipRig | None:
-    """Return what performs a score's lips on the head of that name; None if they need nothing.
+    """Return the lip rig of the head of that name for a score; None if the score needs none.
 
     It is fitted once per head, at the age and shape that the head has of itself: `--age` and `--shape` do not
     enter, though lips are performed in millimetres.
