@@ -153,7 +153,7 @@ def check_number(name: str, value: object) -> None:
 
 
 def _frames_of_ours() -> int:
-    """Return the `stacklevel` at which the package's caller stands for who calls this."""
+    """Return the `stacklevel` of the package's caller, as seen from the caller of this function."""
     frame, level = inspect.currentframe(), 0
     while frame is not None and frame.f_globals.get("__name__", "").partition(".")[0] == "risorius":
         frame, level = frame.f_back, level + 1
@@ -161,7 +161,7 @@ def _frames_of_ours() -> int:
 
 
 def unknown(kind: str, name: str, known: Iterable[str]) -> str:
-    """Word the message for an unknown name, with the nearest known one.
+    """Return the message for an unknown name, with the nearest known one.
 
     >>> unknown("emotion", "hapiness", ["happiness", "anger"])
     "unknown emotion 'hapiness'; did you mean 'happiness'?"

@@ -36,7 +36,7 @@ SECONDS = 600.0
 
 @dataclass(frozen=True)
 class BatchPlan:
-    """All that is decided before the first line: rows, outputs, settings for all, and who performs.
+    """All that is decided before the first line: rows, outputs, settings for all, and the executor.
 
     `processes` 0: this process alone. `ray`: the address of a cluster, None for none. `journal`: the folder
     of journal and report, None for the fixed folder of the first output. `sheets`: pictures for the report.

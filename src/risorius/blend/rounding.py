@@ -21,7 +21,7 @@ from .intervals import Spans, merged
 SAMPLES, MORE = 6, 12
 """Times around a moment at which a curve is read: few leave some small corners of a large one."""
 SHARP = 0.001
-"""From which fourth difference of what is read at a few times on there may be a corner: smooth movements of
+"""Fourth difference of the values at a few times from which there may be a corner: smooth movements of
 the brows have less."""
 FALLING = 1.5
 """Triangular weights smooth as much as equal weights over a time shorter by this factor."""

@@ -14,7 +14,7 @@ QUIET, JSON = "--quiet", "--json"
 
 
 class MessageForm(StrEnum):
-    """In which form messages are printed on standard error."""
+    """The form of messages on standard error."""
 
     LINES = "lines"
     QUIET = "quiet"

@@ -78,7 +78,7 @@ PARTED = 2.0
 SEAL_ROUNDED = 0.2
 """Width, in units of the seal, over which the seal is rounded off below the most that a wide gap allows."""
 RAISED = 0.25
-"""How far the upper lip's border, which the fit measures, rises for each mm that the lips open beyond the
+"""The rise of the upper lip's border, which the fit measures, for each mm that the lips open beyond the
 chin's drop. Its inner edge then rises by a third, and the lower lip has the rest (facts: lips-motion, 9)."""
 RAISER = "levator_labii_superioris"
 _LEAST_EFFECT = 0.6

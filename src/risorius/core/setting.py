@@ -294,7 +294,7 @@ def _kind(hint: Any) -> tuple[ValueKind, bool]:
 
 
 def later(name: str) -> None:
-    """Accept any name: those who read the setting look it up."""
+    """Accept any name: the readers of the setting look it up."""
 
 
 def check(settings: Any, spec: str = "") -> None:

@@ -322,7 +322,7 @@ class Live:
         joining = self._joining
         if joining is None or self._next < joining.at:
             return False
-        # Frames that must come in time go on without it, as long as that is no sentence's end.
+        # Frames that must come in time go on without it, unless a sentence ends there.
         return self._waits or joining.turn.done() or self._next >= playing.last_call(self._settings.fps)
 
     def _may_join(self, playing: LiveStretch, plan: TurnPlan) -> bool:

@@ -51,7 +51,7 @@ class MuscleCoverage:
 
     @property
     def verdict(self) -> str:
-        """In a word: well, partly or not."""
+        """The quality in a word: well, partly or not."""
         return "well" if self.left_over <= WELL else "partly" if self.left_over <= PARTLY else "not"
 
 

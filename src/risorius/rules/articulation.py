@@ -61,7 +61,7 @@ class Corner:
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """From which rounding on a vowel is rounded; the share of a diphthong that its first vowel takes."""
+    """The rounding from which a vowel counts as rounded; the share of a diphthong for its first vowel."""
 
     rounded: Share
     turn: Share

@@ -97,7 +97,7 @@ def _kept(
 
 
 def _is_upper(target: str) -> bool:
-    """Tell whether a parameter, or what a unit contracts most, is in the upper face."""
+    """Tell whether a parameter, or the muscle that a unit contracts most, is in the upper face."""
     weights = unit_weights(target)
     name = max(weights, key=weights.__getitem__) if weights else target
     return PARAMETERS[INDEX[name]].group in UPPER
