@@ -44,7 +44,7 @@ class Outcome:
 
 
 class LineState(StrEnum):
-    """Whether a line was made in this run, was whole from an earlier one, or failed."""
+    """Whether a line was made in this run, is complete from an earlier one, or failed."""
 
     MADE = "made"
     WHOLE = "whole"

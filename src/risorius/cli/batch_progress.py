@@ -44,7 +44,7 @@ class BatchProgress:
         if self.made:
             parts[0] += f" ({self._rate():.1f} a second)"
         if self.whole:
-            parts.append(f"{self.whole:,} were whole")
+            parts.append(f"{self.whole:,} were already complete")
         if self.failed:
             parts.append(f"{self.failed:,} failed")
         self._console.say(f"{', '.join(parts)}; see {folder / 'report.html'}")
