@@ -126,7 +126,7 @@ def batch(
     """Perform many lines into files, and yield the result of each as it comes, in any order.
 
     `rows`: mappings with an `id` and a `text`, a `script` or an `audio` with its `transcript`, and settings
-    by name; or the name of a manifest. `outputs`: patterns such as "out/{id}.arkit.csv". What is whole from
+    by name; or the name of a manifest. `outputs`: patterns such as "out/{id}.arkit.csv". Lines complete from
     an earlier run is not made again. `jobs`: processes, by default one a core, 0 for this one alone;
     `timeout`: seconds that a line may take; `ray`: the address of a Ray cluster; `shard`: "3/8" for the third
     of eight runs; `journal`: the folder of journal and report; `ignore`: columns that nothing reads;

@@ -72,8 +72,8 @@ def coming_vowels(
 def anticipated(own: LipSegment, vowel: LipSegment, shares: Mapping[str, float]) -> TargetsHeld:
     """Return the targets of a consonant's segment in which a vowel takes part, by `shares` of its precision.
 
-    Each is the mean of both, by precision; it is as precise as both together. What is to be closed, or what
-    the vowel has no target for, stays as it is.
+    Each is the mean of both, by precision; it is as precise as both together. Closures, and
+    articulators without a target of the vowel, stay as they are.
     """
     targets, precision = dict(own.targets), dict(own.precision)
     rounded = PROTRUSION in vowel.targets

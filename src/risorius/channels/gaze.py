@@ -263,7 +263,7 @@ def _scan(
 def _fixation(mean: float, numbers: Counted) -> float:
     """Return seconds of a fixation: none shorter than the eyes' refractory time, few much longer.
 
-    What is beyond that time follows a gamma distribution of shape 2, the sum of two exponential ones.
+    The rest of the time follows a gamma distribution of shape 2, the sum of two exponential ones.
     """
     beyond = numbers.exponential("first") + numbers.exponential("second")
     return _REFRACTORY + 0.5 * max(mean - _REFRACTORY, 0.05) * beyond

@@ -1,6 +1,6 @@
 """Manipulators: blinks that wet the eyes (paper A, channel 1; paper B, section 5.2), by one of three models.
 
-Whatever the model, the blinks that rules, shifts of gaze and the script ask for count as the last ones.
+In every model, blinks that rules, shifts of gaze and the script ask for count as the last ones.
 """
 
 from __future__ import annotations

@@ -26,7 +26,7 @@ def fullness_of_phones(utterance: Utterance, table: LipTable) -> list[float]:
 def _stretches(utterance: Utterance, shortest: float) -> Iterator[range]:
     """Yield the phones between silences of `shortest` seconds or more, and ends of sentences.
 
-    What is said after a sentence does not change how it is said.
+    Later words do not change the stretches of earlier sentences.
     """
     ends = {utterance.words[sentence.last_word - 1].last_phone for sentence in utterance.sentences}
     start = 0

@@ -5,7 +5,7 @@ InputError that names file, line, column and key. Understood types: str, bool, i
 strings, `tuple[T, ...]`, `tuple[A, B]`, `Numbers` (long lists of them), `Mapping[str, T]` (free keys, or the
 keys of a Literal), dataclasses, `T | None`, `A | B` for plain types, `object` (anything), and these with
 `Annotated`: `Range(low, high)`, `Then(function)` and `ChooseType(function)`. A field is read from the key of
-its own name, or from `field(metadata={"key": …})`. What a dataclass or a function raises is given its place.
+its own name, or from `field(metadata={"key": …})`. Errors of dataclasses and functions get their place.
 """
 
 from __future__ import annotations

@@ -37,7 +37,7 @@ def perform_sentence(
 ) -> Take:
     """Perform sentences as `speak` does.
 
-    What was spoken `before` is not spoken again; what is spoken is added to it.
+    Speech from `before` is not spoken again; what is spoken is added to it.
     """
     given = Input(text, text=True, name="live", language=settings.language, before=before)
     return perform_input(given, feelings, settings)

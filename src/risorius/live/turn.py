@@ -115,7 +115,7 @@ class TurnPlan:
         try:
             longer = self.performed((*playing.sentences, following))
         except RisoriusError:
-            # Whoever says the sentence tells what is wrong with it.
+            # The turn that says the sentence reports its fault.
             return PerformedTurn(replace(playing, is_full=True))
         if following.voice is None:
             border = longer.starts[len(playing.labels)] - self.settings.lead

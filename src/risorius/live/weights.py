@@ -36,7 +36,7 @@ HEADS = 4
 class LiveWeights:
     """Fits the frames of one live face, in order, with the inertia of its skin.
 
-    What a head needs is made once, and shared by all live faces that show it. Raises HeadError if it cannot
+    The data of a head is made once, and shared by all live faces that show it. Raises HeadError if it cannot
     be loaded, or has no ARKit shapes.
     """
 

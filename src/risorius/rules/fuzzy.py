@@ -73,7 +73,7 @@ def fuzzy_table() -> FuzzyTable:
 def blend_units(name: str, company: Mapping[str, float]) -> dict[str, float]:
     """Return the units and muscles of an emotion among emotions with intensities 0..1, itself one of them.
 
-    Of several others the strongest counts. Continuous in all intensities; rising in its own, falling in the
+    The strongest of several others counts. Continuous in all intensities; rising in its own, falling in the
     other's where the rules' shares do.
     """
     own = company[name]

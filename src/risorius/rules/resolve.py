@@ -22,7 +22,7 @@ def resolve(
     """Return the events that happen, in order.
 
     Those that another's rule pauses do not; nor, regulators apart, those that move what the script moves at
-    the time: `taken` are its spans and parameters. Of two that start together in one part the larger stays.
+    the time: `taken` are its spans and parameters. If two start together in one part, the larger stays.
     """
     spans = list(taken)
     found = [e for e in events if not _is_taken(e, spans)]

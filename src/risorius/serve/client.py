@@ -1,4 +1,4 @@
-"""One client: its messages in, its frames out. What it does wrong, or does not read, delays nobody else."""
+"""One client: its messages in, its frames out. Its errors and unread frames delay nobody else."""
 
 from __future__ import annotations
 

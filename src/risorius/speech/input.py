@@ -23,7 +23,7 @@ class Input:
     `script`: a text or the name of a file, a TextGrid among them; `text` takes it as a text whatever it looks
     like, `name` stands for it in messages. `audio`: the file of a recording; `transcript`: its words, or the
     name of a file with them; `language`: that of a recording's words. `content`: what the file `script`
-    holds, if it is not to be read from there. What was spoken `before` is not spoken again; what is spoken is
+    holds, if it is not to be read from there. Speech from `before` is not spoken again; what is spoken is
     added to it.
     """
 

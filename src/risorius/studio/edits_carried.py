@@ -1,7 +1,7 @@
 """Edits by hand made again on another plan of a line: they follow its words and phones.
 
 An edit names a movement, and times. The movement is the one of the same channel and layer at the same place
-of the same word; each time lies where its phone lies. What is not there any more is lost: it is named, it is
+of the same word; each time lies where its phone lies. An edit whose word is gone is lost: it is named, it is
 made again as soon as the words are there again, and can be put back before at the nearest place.
 """
 

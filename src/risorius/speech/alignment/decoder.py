@@ -65,7 +65,7 @@ class HeardSegment(NamedTuple):
 class Decoders:
     """The decoders of one recording, in processes of their own. Use as a context manager, which ends them.
 
-    What a decoder has heard before changes what it finds: no two recordings share one. `follow_words` may be
+    Earlier sound changes the results of a decoder: no two recordings share one. `follow_words` may be
     called in another thread than the others. Every method raises WorkerError if its process fails or does not
     answer in time.
     """

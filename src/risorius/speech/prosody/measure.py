@@ -30,8 +30,8 @@ def measured(
 ) -> Utterance:
     """Return the utterance with its accents and boundaries measured, and how its syllables sound.
 
-    Accents and boundaries that are not asked for stay as they are. What is between two pauses is measured
-    from the sound up to its end: what follows changes nothing of it. `measure` measures its pitch.
+    Accents and boundaries that are not asked for stay as they are. Speech between two pauses is measured
+    from the sound up to its end: later sound does not change it. `measure` measures its pitch.
     """
     resampled = Resampled(utterance.audio)
     speaker = unknown_speaker()

@@ -35,7 +35,7 @@ class Resampled:
     def read(self, start: float, end: float) -> Array:
         """Return the sound of [start, end) in seconds at 16 kHz, shape (n,), in units of 16-bit samples.
 
-        The first sample is the one nearest to `start`. What lies outside the recording is silent. The level
+        The first sample is the one nearest to `start`. Samples outside the recording are silent. The level
         is that at which loud speech up to `end` has a root mean square of 2,500.
         """
         first, count = round(start * RATE), round((end - start) * RATE)

@@ -49,7 +49,7 @@ Markers = Annotated[tuple[Marker, ...], Then(_few)]
 class LaneStates:
     """Channels that are muted, those that act alone (`solo`), and those that are locked against changes.
 
-    What is muted moves nothing, also in exports. If any is solo, all others are as if muted.
+    Muted lanes move nothing, also in exports. If any is solo, all others are as if muted.
     """
 
     muted: ChannelNames = ()
