@@ -90,7 +90,7 @@ PARTS: dict[str, Split] = {
 
 
 def read_recipes(path: Path) -> dict[str, dict[str, Any]]:
-    """Recipes by muscle; raise ValueError where a muscle is missing, or a part is unknown."""
+    """Recipes by muscle; raise ValueError if a muscle is missing, or a part is unknown."""
     recipes = tomllib.loads(path.read_text(encoding="utf-8"))
     recipes.pop("masseter", None)
     wanted = {m.base for m in MUSCLES if m.base != "masseter"} | {"lip_tuck"}

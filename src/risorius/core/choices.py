@@ -54,11 +54,11 @@ EXPRESSIONS = ("felt", "posed")
 DYNAMICS: Mapping[str, str] = MappingProxyType(
     {"springs": "with inertia", "biphasic": "stiffer under strain", "static": ""}
 )
-"""How the skin moves."""
+"""The models of the moving skin."""
 MUSCLE_MODES: Mapping[str, str] = MappingProxyType(
     {
         "fields": "calibrated on sculpts and scans",
         "lines": "forces of six types along the lines and within the zones of the head's muscles.toml",
     }
 )
-"""How muscles act."""
+"""The models of the muscles."""

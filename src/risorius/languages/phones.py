@@ -18,7 +18,7 @@ INVENTORY = "phones.toml"
 
 
 class PhoneManner(StrEnum):
-    """How a phone is made."""
+    """The articulation of a phone."""
 
     VOWEL = "vowel"
     RHOTIC = "rhotic"
