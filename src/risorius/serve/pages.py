@@ -14,11 +14,11 @@ from starlette.responses import FileResponse, JSONResponse, PlainTextResponse, R
 from starlette.routing import BaseRoute, Mount, Route
 from starlette.staticfiles import StaticFiles
 
+from ..browser import ROOT
 from ..errors import unknown
 from ..face.head import load_head, shipped_heads
 from ..ports.glb import rig_scene
 from ..ports.gltf import Gltf
-from ..ports.page_modules import WEB as PARTS
 from .choices import NAMES
 
 WEB = Path(str(resources.files(__package__) / "web"))
@@ -28,7 +28,7 @@ FILES = {
     "/page.js": WEB / "page.js",
     "/risorius-live.js": WEB / "risorius-live.js",
     # Browsers ask for it beside every answer that is no page.
-    "/favicon.ico": PARTS / "icon.svg",
+    "/favicon.ico": ROOT / "icon.svg",
 }
 KEPT = 3
 """Heads whose files are kept, of 16 MB each."""
@@ -45,7 +45,7 @@ def routes() -> list[BaseRoute]:
 
 def parts() -> Mount:
     """Return the route of what the page has in common with others."""
-    return Mount("/web", StaticFiles(directory=PARTS))
+    return Mount("/web", StaticFiles(directory=ROOT))
 
 
 async def about(request: Request) -> Response:

@@ -8,7 +8,6 @@ import threading
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
 from functools import lru_cache
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +21,7 @@ from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket
 
 from ..api import speak
+from ..browser import ROOT
 from ..errors import InputError, RisoriusError, unknown
 from ..face.head import shipped_heads
 from ..ports.head_glb import head_glb
@@ -39,7 +39,6 @@ from .shared_session import SharedSession
 from .solvers import Solvers, stage_of
 from .uploads import TooLargeError, sweep, to_file, to_memory
 
-WEB = Path(str(resources.files(__package__) / "web"))
 SAME_FOR_AN_HOUR = {"cache-control": "private, max-age=3600"}
 
 
@@ -81,7 +80,7 @@ class Studio:
         """Return the application."""
         routes = [
             Route("/", page),
-            Mount("/web", Files(directory=WEB)),
+            Mount("/web", Files(directory=ROOT)),
             Route("/api/catalogue", catalogue),
             Route("/api/head", head),
             Route("/api/stage", stage),
@@ -244,7 +243,7 @@ class Files(StaticFiles):
 
 async def page(request: Request) -> Response:
     """Return the page."""
-    return FileResponse(WEB / "index.html", headers={"cache-control": "no-cache"})
+    return FileResponse(ROOT / "index.html", headers={"cache-control": "no-cache"})
 
 
 async def catalogue(request: Request) -> Response:
@@ -259,7 +258,7 @@ async def head(request: Request) -> Response:
 
 
 async def stage(request: Request) -> Response:
-    """Return how a head's faces are unpacked (Stage in `web/wire.js`)."""
+    """Return how a head's faces are unpacked (Stage in `browser/wire.js`)."""
     return await _of_head(request, _described, "application/json")
 
 
