@@ -2,7 +2,7 @@
  * Types that several parts of the page share, besides those of the wire (`wire.js`) and of the classes themselves.
  *
  * @import {KeyShape, ParameterRow, PauseView, PhoneView, Reason, Tone, WordView} from "./wire.js"
- * @import {Spans} from "./timeline/spans.js"
+ * @import {Spans} from "./timeline/model/spans.js"
  *
  * What the store holds of what is written:
  * @typedef {Pick<import("./store.js").Parts, "source" | "choices" | "emotions">} Written

@@ -118,7 +118,7 @@ EDGES = "new Float64Array([0, 0.5, 1.0, 1.5, 2.0])"
 )
 def test_times_of_a_block(page: Page, asked: str, expected: Any) -> None:
     names = "{ moved, pulled, snappedBy, editOf }"
-    found = page.run(f"const {names} = await import('/web/timeline/times.js'); return {asked}")
+    found = page.run(f"const {names} = await import('/web/timeline/model/times.js'); return {asked}")
     assert _near(found, expected), found
 
 
@@ -130,7 +130,7 @@ def _near(found: Any, expected: Any) -> bool:
 
 def test_stacked_spans_do_not_hide_each_other(page: Page) -> None:
     clashes = page.run("""
-      const { stacked } = await import("/web/timeline/spans.js");
+      const { stacked } = await import("/web/timeline/model/spans.js");
       let seed = 7;
       const random = () => (seed = (seed * 16807) % 2147483647) / 2147483647;
       const items = Array.from({ length: 400 }, (_, k) => {
@@ -146,7 +146,7 @@ def test_stacked_spans_do_not_hide_each_other(page: Page) -> None:
 
 def test_spans_in_sight_are_those_that_touch_it(page: Page) -> None:
     agreed = page.run("""
-      const { Spans } = await import("/web/timeline/spans.js");
+      const { Spans } = await import("/web/timeline/model/spans.js");
       let seed = 3;
       const random = () => (seed = (seed * 16807) % 2147483647) / 2147483647;
       const items = Array.from({ length: 300 }, () => {
@@ -165,7 +165,7 @@ def test_spans_in_sight_are_those_that_touch_it(page: Page) -> None:
 
 def test_a_pyramid_finds_the_extremes_of_any_stretch(page: Page) -> None:
     worst = page.run("""
-      const { Pyramid } = await import("/web/timeline/pyramid.js");
+      const { Pyramid } = await import("/web/timeline/model/pyramid.js");
       const values = Float32Array.from({ length: 5000 }, (_, k) => Math.sin(k * k));
       const pyramid = new Pyramid(values);
       let worst = 0;
@@ -181,7 +181,7 @@ def test_a_pyramid_finds_the_extremes_of_any_stretch(page: Page) -> None:
 
 def test_a_line_is_simplified_within_its_tolerance(page: Page) -> None:
     kept, far = page.run("""
-      const { simplified } = await import("/web/timeline/keys.js");
+      const { simplified } = await import("/web/timeline/model/keys.js");
       const line = Array.from({ length: 400 }, (_, k) => [k / 100, Math.sin(k / 40)]);
       const kept = simplified(line, 0.01);
       const far = Math.max(...line.map(([time, value]) => {
@@ -197,7 +197,7 @@ def test_a_line_is_simplified_within_its_tolerance(page: Page) -> None:
 
 def test_a_first_key_is_tied_to_the_curve_around_it(page: Page) -> None:
     keys = page.run("""
-      const { withKey } = await import("/web/timeline/keys.js");
+      const { withKey } = await import("/web/timeline/model/keys.js");
       return withKey([], 1, 0.9, { duration: 3, valueAt: (time) => time / 10 });
     """)
     assert keys == [pytest.approx([0.85, 0.085]), [1, 0.9], pytest.approx([1.15, 0.115])]

@@ -118,7 +118,7 @@ def test_a_movement_that_was_moved_is_explained_where_it_is(performed: Page) -> 
 
 def test_a_label_says_what_moves_where_there_is_no_room_for_more(performed: Page) -> None:
     labels = performed.run("""
-      const { labelWithin } = await import("/web/timeline/paint_lanes.js");
+      const { labelWithin } = await import("/web/timeline/paint/paint_lanes.js");
       const context = { measureText: (text) => ({ width: 6 * text.length }) };
       const block = { layer: "brows", label: '"Oh really"' };
       return [200, 40, 20].map((room) => labelWithin(context, block, room));

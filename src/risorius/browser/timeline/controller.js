@@ -1,6 +1,6 @@
-import { clipboard, copy, pasted } from "./clipboard.js";
-import { movedTogether, spanOf } from "./group.js";
-import { moved, pulled, stretchedTogether, timesOf } from "./times.js";
+import { clipboard, copy, pasted } from "./edit/clipboard.js";
+import { movedTogether, spanOf } from "./edit/group.js";
+import { moved, pulled, stretchedTogether, timesOf } from "./model/times.js";
 /** @import {Block, BodyRow} from "../types.js" */
 /** @import {Marker} from "../wire.js" */
 
@@ -8,10 +8,10 @@ const PATIENCE = 350; // ms without a key after which what was done by keys is s
 
 /**
  * @typedef {Object} Parts
- * @property {import("./scene.js").Scene} scene
- * @property {import("./graphs.js").Graphs} graphs
- * @property {import("./edits.js").Edits} edits
- * @property {import("./details.js").Details} details
+ * @property {import("./paint/scene.js").Scene} scene
+ * @property {import("./model/graphs.js").Graphs} graphs
+ * @property {import("./edit/edits.js").Edits} edits
+ * @property {import("./model/details.js").Details} details
  * @property {import("../clock.js").Clock} clock
  * @property {import("../actions.js").Actions} actions
  * @property {import("../store.js").Store} store

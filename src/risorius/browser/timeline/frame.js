@@ -1,14 +1,14 @@
-import { Adder } from "./adder.js";
-import { BlockList } from "./blocklist.js";
+import { Adder } from "./edit/adder.js";
+import { BlockList } from "./lists/blocklist.js";
 import { h } from "./dom.js";
-import { MarkerList } from "./markers.js";
-import { Names } from "./names.js";
-import { Overview } from "./overview.js";
-import { Picker } from "./picker.js";
-import { listen } from "./pointer.js";
+import { MarkerList } from "./edit/markers.js";
+import { Names } from "./lists/names.js";
+import { Overview } from "./paint/overview.js";
+import { Picker } from "./lists/picker.js";
+import { listen } from "./edit/pointer.js";
 import { shortcuts } from "./shortcuts.js";
-import { Tools } from "./tools.js";
-import { Why } from "./why.js";
+import { Tools } from "./lists/tools.js";
+import { Why } from "./lists/why.js";
 
 /** The elements that the timeline is made of, not yet put together. */
 export function frameOf() {
@@ -30,7 +30,7 @@ export function frameOf() {
  *
  * @param {ReturnType<typeof frameOf>} frame
  * @param {import("./controller.js").TimelineController} controller
- * @param {import("./graphs.js").Graphs} graphs
+ * @param {import("./model/graphs.js").Graphs} graphs
  * @param {HTMLElement} explanation
  */
 export function fitted({ root, scroller, canvas, frame, depth, status }, controller, graphs, explanation) {

@@ -1,15 +1,15 @@
 import { TimelineController } from "./controller.js";
-import { Details } from "./details.js";
-import { Edits } from "./edits.js";
+import { Details } from "./model/details.js";
+import { Edits } from "./edit/edits.js";
 import { fitted, frameOf } from "./frame.js";
-import { Graphs } from "./graphs.js";
-import { Model } from "./model.js";
-import { clockTime } from "./paint_head.js";
-import { onTheme, paletteOf } from "./palette.js";
-import { Said } from "./said.js";
-import { Scene } from "./scene.js";
-import { Shapes } from "./shape.js";
-import { Viewport } from "./viewport.js";
+import { Graphs } from "./model/graphs.js";
+import { Model } from "./model/model.js";
+import { clockTime } from "./paint/paint_head.js";
+import { onTheme, paletteOf } from "./paint/palette.js";
+import { Said } from "./lists/said.js";
+import { Scene } from "./paint/scene.js";
+import { Shapes } from "./model/shape.js";
+import { Viewport } from "./model/viewport.js";
 /** @import {Take} from "../store.js" */
 /** @import {Studio} from "../studio.js" */
 

@@ -3,7 +3,7 @@
  */
 
 import { foundIn } from "./dom.js";
-import { nudgeEdge } from "./edges.js";
+import { nudgeEdge } from "./edit/edges.js";
 
 const ZOOM = 1.4;
 
