@@ -1,6 +1,6 @@
 import { adopted, written } from "./drafts.js";
 import { told } from "./parts/dom.js";
-import { changedTake, takeOf } from "./take.js";
+import { changedTake, takeOf } from "./player/take.js";
 import { Work } from "./work.js";
 /** @import {Written} from "./types.js" */
 

@@ -1,7 +1,7 @@
 /** The page: makes its parts, and connects them. */
 
 import { Actions } from "./actions.js";
-import { Clock } from "./clock.js";
+import { Clock } from "./player/clock.js";
 import { Connection } from "./connection.js";
 import { NOTHING } from "./drafts.js";
 import { listenToDrops } from "./dropping.js";
@@ -13,11 +13,11 @@ import { there } from "./parts/dom.js";
 import { mountNotice } from "./parts/notice.js";
 import { prepareWhatIsWritten } from "./playing.js";
 import { sessionName, openSession } from "./session.js";
-import { wakeSoundWhenTouched } from "./sound.js";
+import { wakeSoundWhenTouched } from "./player/sound.js";
 import { mountSplitter } from "./splitter.js";
 import { Store } from "./store.js";
 import { HeadPlayers } from "./head_players.js";
-import { followTheme } from "./theme.js";
+import { followTheme } from "./parts/theme.js";
 import { TIMELINE_KEYS, mountTimeline } from "./timeline/index.js";
 import { mountTransport } from "./transport.js";
 import { mountViews } from "./views.js";

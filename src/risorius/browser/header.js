@@ -6,7 +6,7 @@ import { showHints } from "./example.js";
 import { isDraft } from "./drafts.js";
 import { glyph } from "./parts/glyphs.js";
 import { liveSwitch } from "./live.js";
-import { switchTheme } from "./theme.js";
+import { switchTheme } from "./parts/theme.js";
 /** @import {Store} from "./store.js" */
 /** @import {GlyphName} from "./parts/glyphs.js" */
 

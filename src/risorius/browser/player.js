@@ -31,7 +31,7 @@ export class Player {
 
   /**
    * @param {import("./connection.js").Connection} connection
-   * @param {import("./clock.js").Clock} clock
+   * @param {import("./player/clock.js").Clock} clock
    * @param {(a: Face, b: Face, share: number) => void} show shows what lies between two faces
    */
   constructor(connection, clock, show) {

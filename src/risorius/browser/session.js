@@ -2,7 +2,7 @@
 
 import { NOTHING, adopted, isDraft, keepDraft, remembered } from "./drafts.js";
 import { settled } from "./parts/dom.js";
-import { takeOf } from "./take.js";
+import { takeOf } from "./player/take.js";
 /** @import {Store} from "./store.js" */
 /** @import {Studio} from "./studio.js" */
 /** @import {PageView} from "./wire.js" */

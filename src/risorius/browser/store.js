@@ -4,7 +4,7 @@
  * Parts are never changed in place: `store.set({take})` replaces, and calls everyone who watches `take`
  * once, after all parts of the same `set` are in place.
  *
- * @typedef {ReturnType<typeof import("./take.js").takeOf>} Take
+ * @typedef {ReturnType<typeof import("./player/take.js").takeOf>} Take
  * @typedef {Object} Parts
  * @property {import("./wire.js").Catalogue} catalogue tables of the server (GET /api/catalogue); null until loaded
  * @property {string} session the session's id; "" until open

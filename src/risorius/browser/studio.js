@@ -4,7 +4,7 @@
  *
  * @typedef {Object} Studio
  * @property {import("./store.js").Store} store the page's state
- * @property {import("./clock.js").Clock} clock time of the performance
+ * @property {import("./player/clock.js").Clock} clock time of the performance
  * @property {import("./connection.js").Connection} connection the socket to the server
  * @property {import("./actions.js").Actions} actions what the user can have done
  * @property {(text: string, offer?: {label: string, act: () => void}) => void} notify says a line to the user

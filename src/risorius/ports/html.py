@@ -30,7 +30,7 @@ from .subtitles import subtitles
 from .table import write_lines
 from .writable import WritableTake, WriteOptions
 
-ENTRY = "played/played.js"
+ENTRY = "player/played.js"
 EXPLAINED_EVERY = 0.1
 """Seconds between the times that are explained."""
 _TITLE_LENGTH = 80
@@ -59,7 +59,7 @@ def write_html(take: WritableTake, path: Path, options: WriteOptions) -> None:
 
 
 def _page(title: str, data: dict[str, bytes]) -> str:
-    styles = "".join((ROOT / name).read_text("utf-8") for name in ("style/tokens.css", "played/played.css"))
+    styles = "".join((ROOT / name).read_text("utf-8") for name in ("style/tokens.css", "player/played.css"))
     named = escape(title if len(title) <= _TITLE_LENGTH else f"{title[:_TITLE_LENGTH]} …")
     blocks = "\n".join(
         f'<script type="text/plain" id="data-{name}">{base64.b64encode(content).decode()}</script>'
@@ -73,7 +73,7 @@ def _page(title: str, data: dict[str, bytes]) -> str:
         "entry": name_of(ENTRY),
         "data": blocks,
     }
-    page = (ROOT / "played/played.html").read_text("utf-8")
+    page = (ROOT / "player/played.html").read_text("utf-8")
     head, *rest = page.split("{{")
     filled = (part.partition("}}") for part in rest)
     return head + "".join(parts[name] + after for name, _, after in filled)

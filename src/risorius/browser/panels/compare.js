@@ -3,7 +3,7 @@
 import { button } from "../parts/fields.js";
 import { choiceRows } from "./choices.js";
 import { fill, make, settled, spoken } from "../parts/dom.js";
-import { takeOf } from "../take.js";
+import { takeOf } from "../player/take.js";
 /** @import {Take} from "../store.js" */
 /** @import {Catalogue, Choices} from "../wire.js" */
 

@@ -12,7 +12,7 @@ const PATIENCE = 350; // ms without a key after which what was done by keys is s
  * @property {import("./model/graphs.js").Graphs} graphs
  * @property {import("./edit/edits.js").Edits} edits
  * @property {import("./model/details.js").Details} details
- * @property {import("../clock.js").Clock} clock
+ * @property {import("../player/clock.js").Clock} clock
  * @property {import("../actions.js").Actions} actions
  * @property {import("../store.js").Store} store
  * @property {HTMLElement} scroller

@@ -1,4 +1,4 @@
-import { curvesOf } from "../../take.js";
+import { curvesOf } from "../../player/take.js";
 
 /**
  * The curves, and the face where the playhead stands, as they would be with the changes that are being made by hand:

@@ -1,4 +1,4 @@
-import { floatsOf } from "../../take.js";
+import { floatsOf } from "../../player/take.js";
 /** @import {Detail} from "../../types.js" */
 /** @import {ChannelCurve} from "../../wire.js" */
 

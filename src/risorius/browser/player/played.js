@@ -1,11 +1,11 @@
 /** Plays the performance that the page itself holds: head, sound, captions, timeline. */
 
-import { Clock } from "../clock.js";
+import { Clock } from "./clock.js";
 import { buildFigure } from "../stage/figure.js";
 import { draws3d, NO_3D } from "../stage/software.js";
 import { Stage } from "../stage/stage.js";
-import { rateOf } from "../take.js";
-import { followTheme } from "../theme.js";
+import { rateOf } from "./take.js";
+import { followTheme } from "../parts/theme.js";
 import { turnByKeys } from "../views.js";
 import { block, inflated, woven } from "./data.js";
 import { PlayedFaces } from "./faces.js";

@@ -5,8 +5,8 @@
  * as a number, `waves[].peaks` are Int8Array (least, greatest, least, …). The rest is as the wire has it.
  */
 
-/** @import {SpeechView} from "./wire.js" */
-/** @import {Written} from "./types.js" */
+/** @import {SpeechView} from "../wire.js" */
+/** @import {Written} from "../types.js" */
 
 /** @param {string} text base64 @returns {Uint8Array} */
 export function bytesOf(text) {
@@ -27,14 +27,14 @@ export function rateOf(fps) {
   return Number(over) / Number(under);
 }
 
-/** @param {import("./wire.js").TakeView} view */
+/** @param {import("../wire.js").TakeView} view */
 export function takeOf(view) {
   return { ...view, rate: rateOf(view.fps), curves: decoded(view.curves), speech: heard(view.speech), made: whole(view.made) };
 }
 
 /**
  * The take after a change of it: another object, with the parts that are the same shared.
- * @param {ReturnType<typeof takeOf>} take @param {import("./wire.js").TakeChange} change
+ * @param {ReturnType<typeof takeOf>} take @param {import("../wire.js").TakeChange} change
  */
 export function changedTake(take, change) {
   if (change.whole) return takeOf(change.whole);
@@ -66,7 +66,7 @@ export function curvesOf(curves) {
   return new Map(Object.entries(curves).map(([name, text]) => [name, text === "" ? null : floatsOf(text)]));
 }
 
-/** What a take is made of: the server says all of it. @param {import("./wire.js").TakeInputs} made */
+/** What a take is made of: the server says all of it. @param {import("../wire.js").TakeInputs} made */
 function whole(made) {
   return /** @type {Written} */ (made);
 }

@@ -5,7 +5,7 @@ import { fill, make, spoken } from "../parts/dom.js";
 
 /**
  * @param {HTMLElement} element @param {HTMLElement} why where explanations are shown
- * @param {PlayedFacts} facts of the page @param {import("../clock.js").Clock} clock
+ * @param {PlayedFacts} facts of the page @param {import("./clock.js").Clock} clock
  */
 export function mountLanes(element, why, facts, clock) {
   /** @param {string} name @param {PlayedBlock[]} blocks */

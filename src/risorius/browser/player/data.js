@@ -1,6 +1,6 @@
 /** What the page holds: blocks of base64, most of them deflated (`page_faces.py` says how faces are packed). */
 
-import { bytesOf } from "../take.js";
+import { bytesOf } from "./take.js";
 
 /** @param {string} name @returns {Uint8Array | null} a block's bytes; null if the page has no such block */
 export function block(name) {
