@@ -1,5 +1,5 @@
 // What the page adds to the browser's own types.
-import type { Studio } from "./studio.js";
+import type { Studio } from "./studio/studio.js";
 
 declare global {
   interface Window {

@@ -5,7 +5,7 @@
  * @import {Spans} from "./timeline/model/spans.js"
  *
  * What the store holds of what is written:
- * @typedef {Pick<import("./store.js").Parts, "source" | "choices" | "emotions">} Written
+ * @typedef {Pick<import("./studio/store.js").Parts, "source" | "choices" | "emotions">} Written
  * @typedef {Required<import("./wire.js").EmotionSpan>} EmotionSpan
  * @typedef {{time: number | null, parameter: string | null, movement: string | null}} Selection what was pointed at
  * @typedef {{values: Record<string, number>, emotions: Record<string, number>}} DialledFace as `Dial` of the wire
@@ -85,7 +85,7 @@
  * @property {ArrayBuffer} folds where its fine wrinkles lie, as `head_folds.py` packs it
  * @property {ArrayBuffer} skin the tables that skin is shaded by, as `skin_formulas.py` packs them
  *
- * A performance that a page holds (`played/`):
+ * A performance that a page holds (`player/`):
  * @typedef {Object} PlayedFacts
  * @property {string} fps
  * @property {number} frames

@@ -243,7 +243,7 @@ class Files(StaticFiles):
 
 async def page(request: Request) -> Response:
     """Return the page."""
-    return FileResponse(ROOT / "index.html", headers={"cache-control": "no-cache"})
+    return FileResponse(ROOT / "studio" / "index.html", headers={"cache-control": "no-cache"})
 
 
 async def catalogue(request: Request) -> Response:

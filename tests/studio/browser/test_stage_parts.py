@@ -110,7 +110,7 @@ def test_the_slit_of_the_lips_is_that_of_the_library(page: Page) -> None:
 
 
 SCRUBBED = """
-  const { Player } = await import("/web/player.js");
+  const { Player } = await import("/web/studio/player.js");
   const { KINDS } = await import("/web/stage/faces.js");
   const asked = [], shown = [], answers = [];
   const connection = { up: true, on() {}, request: (verb, { first, time }) => {

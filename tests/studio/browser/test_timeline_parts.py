@@ -38,7 +38,7 @@ LONG_TAKE = """
 
 MOUNT = """
   const [{ mountTimeline }, { Store }, { Clock }] = await Promise.all(
-    ["timeline/index.js", "store.js", "player/clock.js"].map((name) => import(`/web/${name}`)));
+    ["timeline/index.js", "studio/store.js", "player/clock.js"].map((name) => import(`/web/${name}`)));
   const catalogue = await (await fetch("/api/catalogue")).json();
   const element = document.createElement("div");
   Object.assign(element.style, { position: "fixed", inset: "0", height: "600px", zIndex: "9" });

@@ -77,7 +77,7 @@ def test_a_backdrop_has_no_stripes_at_any_scale(performed: Page) -> None:
 def test_the_splitter_says_its_height_before_it_is_moved(performed: Page) -> None:
     performed.run("localStorage.removeItem('risorius-timeline')")
     now = performed.run("""
-      const { mountSplitter } = await import("/web/splitter.js");
+      const { mountSplitter } = await import("/web/studio/splitter.js");
       const bar = document.createElement("div");
       mountSplitter(bar);
       return ["valuemin", "valuenow", "valuemax"].map((name) => Number(bar.getAttribute(`aria-${name}`)));

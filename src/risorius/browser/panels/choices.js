@@ -25,7 +25,7 @@ const MAKERS = {
 
 /**
  * Put all settings into a form; a change is performed at once.
- * @param {HTMLElement} form @param {import("../studio.js").Studio} studio
+ * @param {HTMLElement} form @param {import("../studio/studio.js").Studio} studio
  */
 export function mountChoices(form, { store, actions }) {
   const slow = settled((/** @type {Partial<Choices>} */ parts) => actions.choose({ choices: parts }), WAIT);

@@ -4,7 +4,7 @@ import { button } from "../parts/fields.js";
 import { choiceRows } from "./choices.js";
 import { fill, make, settled, spoken } from "../parts/dom.js";
 import { takeOf } from "../player/take.js";
-/** @import {Take} from "../store.js" */
+/** @import {Take} from "../studio/store.js" */
 /** @import {Catalogue, Choices} from "../wire.js" */
 
 const OFFERED = [
@@ -26,7 +26,7 @@ const OFFERED = [
 const MOST_LISTED = 8;
 const WAIT = 250;
 
-/** @param {HTMLElement} element @param {import("../studio.js").Studio} studio */
+/** @param {HTMLElement} element @param {import("../studio/studio.js").Studio} studio */
 export function mountCompare(element, studio) {
   const { store, actions } = studio;
   /** @type {Record<string, any>} */

@@ -6,7 +6,7 @@ import { segments } from "../parts/segments.js";
 import { Dialler } from "./dialler.js";
 import { emptyFace, groupsOf } from "./dialled.js";
 import { mountKeeping } from "./keeping.js";
-/** @import {Studio} from "../studio.js" */
+/** @import {Studio} from "../studio/studio.js" */
 /** @import {DialledFace, Sides} from "../types.js" */
 /** @import {Dial} from "./dialled.js" */
 
@@ -15,7 +15,7 @@ import { mountKeeping } from "./keeping.js";
 const KINDS = { muscles: "Muscles", units: "Action units", emotions: "Emotions" };
 const SIDES = { both: "Both sides", left: "Left", right: "Right" };
 
-/** @param {HTMLElement} element @param {import("../studio.js").Studio} studio */
+/** @param {HTMLElement} element @param {import("../studio/studio.js").Studio} studio */
 export function mountDials(element, studio) {
   new Dials(element, studio);
 }

@@ -1,10 +1,10 @@
 /** What is written but not performed: a way back to what is performed, and from there to what was written. */
 
-import { PARTS, bringBack, isDraft, putAside } from "../drafts.js";
+import { PARTS, bringBack, isDraft, putAside } from "../studio/drafts.js";
 import { button } from "../parts/fields.js";
 import { make } from "../parts/dom.js";
 
-/** @param {import("../studio.js").Studio} studio @returns {HTMLElement} */
+/** @param {import("../studio/studio.js").Studio} studio @returns {HTMLElement} */
 export function mountDraft({ store }) {
   const hint = make("span", { class: "hint" }, "Not performed yet");
   const drop = button("Back to the take", {

@@ -9,7 +9,7 @@ import { hueOf } from "./hues.js";
 const INTENSITY = 0.7; // of an emotion that is added
 const WAIT = 250; // ms after the last movement of a slider
 
-/** @param {import("../studio.js").Studio} studio @param {ReturnType<typeof import("./script.js").mountScript>} script */
+/** @param {import("../studio/studio.js").Studio} studio @param {ReturnType<typeof import("./script.js").mountScript>} script */
 export function mountEmotions({ store, actions }, script) {
   /** @type {EmotionSpan[] | null} */
   let shown = null;

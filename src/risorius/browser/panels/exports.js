@@ -3,12 +3,12 @@
 import { button, check, field } from "../parts/fields.js";
 import { fill, make } from "../parts/dom.js";
 import { settingRow } from "./choices.js";
-/** @import {Studio} from "../studio.js" */
+/** @import {Studio} from "../studio/studio.js" */
 /** @import {Download, OutputRow, ProgressEvent, SettingRow} from "../wire.js" */
 
 const USUAL = [".mp4", ".glb", ".performance.json"];
 
-/** @param {HTMLElement} element @param {import("../studio.js").Studio} studio with its catalogue loaded */
+/** @param {HTMLElement} element @param {import("../studio/studio.js").Studio} studio with its catalogue loaded */
 export function mountExports(element, studio) {
   new Exports(element, studio);
 }

@@ -8,7 +8,7 @@ import { mountPerform } from "./perform.js";
 import { mountProject } from "./project.js";
 import { mountRules } from "./rules.js";
 
-/** @type {[string, string, (element: HTMLElement, studio: import("../studio.js").Studio) => void][]} */
+/** @type {[string, string, (element: HTMLElement, studio: import("../studio/studio.js").Studio) => void][]} */
 const PANELS = [
   ["perform", "Perform", mountPerform],
   ["dials", "Dials", mountDials],
@@ -17,7 +17,7 @@ const PANELS = [
   ["project", "Project", mountProject],
 ];
 
-/** @param {HTMLElement} element @param {import("../studio.js").Studio} studio */
+/** @param {HTMLElement} element @param {import("../studio/studio.js").Studio} studio */
 export function mountPanels(element, studio) {
   const tabs = PANELS.map(([name, label]) => ({ name, label, panel: make("div", { id: `panel-${name}` }) }));
   /** @param {string} name */

@@ -4,7 +4,7 @@ import { button } from "../parts/fields.js";
 import { make } from "../parts/dom.js";
 import { downloadText } from "../parts/download.js";
 
-/** @param {import("../studio.js").Studio} studio @param {() => object} face what is dialled now */
+/** @param {import("../studio/studio.js").Studio} studio @param {() => object} face what is dialled now */
 export function mountKeeping(studio, face) {
   const name = make("input", {
     type: "text",

@@ -3,7 +3,7 @@
 import { button } from "../parts/fields.js";
 import { fill, make } from "../parts/dom.js";
 
-/** @param {import("../studio.js").Studio} studio @returns {HTMLElement} */
+/** @param {import("../studio/studio.js").Studio} studio @returns {HTMLElement} */
 export function mountLost({ store, actions }) {
   const list = make("ul", { class: "lost" });
   const forget = button("Forget them", { id: "lost-forget", onclick: () => actions.letGo() });

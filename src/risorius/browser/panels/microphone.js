@@ -13,7 +13,7 @@ const PLAIN = { echoCancellation: false, noiseSuppression: false, autoGainContro
 
 /**
  * The button that records, and stops.
- * @param {import("../studio.js").Studio} studio @param {(file: File) => void} done hears the recording
+ * @param {import("../studio/studio.js").Studio} studio @param {(file: File) => void} done hears the recording
  * @returns {HTMLElement}
  */
 export function recordButton({ clock, notify }, done) {

@@ -9,10 +9,10 @@ import { mountLost } from "./lost.js";
 import { mountRecording } from "./recording.js";
 import { mountScript } from "./script.js";
 import { mountTags } from "./tags.js";
-/** @import {Studio} from "../studio.js" */
-/** @import {Parts} from "../store.js" */
+/** @import {Studio} from "../studio/studio.js" */
+/** @import {Parts} from "../studio/store.js" */
 
-/** @param {HTMLElement} element @param {import("../studio.js").Studio} studio */
+/** @param {HTMLElement} element @param {import("../studio/studio.js").Studio} studio */
 export function mountPerform(element, studio) {
   const { store, actions } = studio;
   const script = mountScript(studio);

@@ -7,7 +7,7 @@ import { downloadText } from "../parts/download.js";
 
 const WAIT = 400;
 
-/** @param {HTMLElement} element @param {import("../studio.js").Studio} studio */
+/** @param {HTMLElement} element @param {import("../studio/studio.js").Studio} studio */
 export function mountProfile(element, { store, actions }) {
   /** @type {Record<string, number>} */
   let numbers = {}; // changed ones by key

@@ -3,15 +3,15 @@
 import { button, field, number } from "../parts/fields.js";
 import { make } from "../parts/dom.js";
 import { download } from "../parts/download.js";
-import { openProject } from "../dropping.js";
+import { openProject } from "../studio/dropping.js";
 import { mountExports } from "./exports.js";
 import { mountSessions } from "./sessions.js";
-/** @import {Studio} from "../studio.js" */
+/** @import {Studio} from "../studio/studio.js" */
 
 const NOTE =
   "Everything is saved automatically. A project file restores this state exactly; it may also be dropped on the page.";
 
-/** @param {HTMLElement} element @param {import("../studio.js").Studio} studio */
+/** @param {HTMLElement} element @param {import("../studio/studio.js").Studio} studio */
 export function mountProject(element, studio) {
   const { store } = studio;
   const exports = make("section", { class: "stack", id: "exports" });

@@ -3,11 +3,11 @@
 import { button } from "../parts/fields.js";
 import { fill, make, there, told } from "../parts/dom.js";
 import { recordButton } from "./microphone.js";
-/** @import {Store} from "../store.js" */
+/** @import {Store} from "../studio/store.js" */
 
 const SOUNDS = "audio/*,.wav,.flac,.ogg,.mp3";
 
-/** @param {import("../studio.js").Studio} studio */
+/** @param {import("../studio/studio.js").Studio} studio */
 export function mountRecording(studio) {
   const { store } = studio;
   const file = make("input", {
@@ -59,7 +59,7 @@ function recognized(store) {
   return heard ? (take.speech?.text ?? "") : "";
 }
 
-/** Send a recording to the session, and take it as what is performed. @param {import("../studio.js").Studio} studio @param {File} file */
+/** Send a recording to the session, and take it as what is performed. @param {import("../studio/studio.js").Studio} studio @param {File} file */
 export async function upload({ store, notify, actions }, file) {
   const limit = store.get("catalogue")?.limits.recording ?? Infinity;
   if (file.size > limit) {

@@ -3,12 +3,12 @@
 import { button } from "../parts/fields.js";
 import { fill, make, showFound, spoken } from "../parts/dom.js";
 import { mountProfile } from "./profile.js";
-/** @import {Studio} from "../studio.js" */
+/** @import {Studio} from "../studio/studio.js" */
 /** @import {FiredRule} from "../wire.js" */
 
 /** @typedef {{id: string, comment: string}} Known a rule, or what else made movements */
 
-/** @param {HTMLElement} element @param {import("../studio.js").Studio} studio */
+/** @param {HTMLElement} element @param {import("../studio/studio.js").Studio} studio */
 export function mountRules(element, studio) {
   new Rules(element, studio);
 }

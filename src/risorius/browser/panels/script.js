@@ -5,7 +5,7 @@ import { fill, make } from "../parts/dom.js";
 import { hueOf } from "./hues.js";
 
 /**
- * @param {import("../studio.js").Studio} studio
+ * @param {import("../studio/studio.js").Studio} studio
  * @returns {{element: HTMLElement, selected: () => {first: number, last: number} | null,
  *            onselect: (call: () => void) => void}} `selected` in characters of the text
  */

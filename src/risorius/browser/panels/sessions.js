@@ -9,7 +9,7 @@ import { fill, make, told } from "../parts/dom.js";
 
 const WHEN = { dateStyle: "medium", timeStyle: "short" };
 
-/** @param {import("../studio.js").Studio} studio @returns {HTMLElement} */
+/** @param {import("../studio/studio.js").Studio} studio @returns {HTMLElement} */
 export function mountSessions(studio) {
   const { store, notify } = studio;
   const list = make("ul", { class: "sessions" });

@@ -3,7 +3,7 @@
 import { button } from "../parts/fields.js";
 import { make } from "../parts/dom.js";
 import { movedSpans } from "../parts/text.js";
-/** @import {Parts} from "../store.js" */
+/** @import {Parts} from "../studio/store.js" */
 
 const TAG = /<\/?[A-Za-z][^<>]*>/;
 const TAGS = new RegExp(TAG, "g");
@@ -28,7 +28,7 @@ export function asMarkup(text) {
   return format ? { script: text, format } : { script: `<speak>${text}</speak>`, format: "ssml" };
 }
 
-/** @param {import("../studio.js").Studio} studio @returns {HTMLElement} */
+/** @param {import("../studio/studio.js").Studio} studio @returns {HTMLElement} */
 export function mountTags({ store }) {
   const read = button("Read them as markup", { id: "tags-read", onclick: () => write(asMarkup(text())) });
   const remove = button("Take them out", {

@@ -6,7 +6,7 @@ import { draws3d, NO_3D } from "../stage/software.js";
 import { Stage } from "../stage/stage.js";
 import { rateOf } from "./take.js";
 import { followTheme } from "../parts/theme.js";
-import { turnByKeys } from "../views.js";
+import { turnByKeys } from "../studio/views.js";
 import { block, inflated, woven } from "./data.js";
 import { PlayedFaces } from "./faces.js";
 import { mountLanes } from "./lanes.js";

@@ -13,8 +13,8 @@ const PATIENCE = 350; // ms without a key after which what was done by keys is s
  * @property {import("./edit/edits.js").Edits} edits
  * @property {import("./model/details.js").Details} details
  * @property {import("../player/clock.js").Clock} clock
- * @property {import("../actions.js").Actions} actions
- * @property {import("../store.js").Store} store
+ * @property {import("../studio/actions.js").Actions} actions
+ * @property {import("../studio/store.js").Store} store
  * @property {HTMLElement} scroller
  * @property {() => void} repaint draws anew with the page's next frame
  * @property {() => void} arrange lays out anew

@@ -10,8 +10,8 @@ import { Said } from "./lists/said.js";
 import { Scene } from "./paint/scene.js";
 import { Shapes } from "./model/shape.js";
 import { Viewport } from "./model/viewport.js";
-/** @import {Take} from "../store.js" */
-/** @import {Studio} from "../studio.js" */
+/** @import {Take} from "../studio/store.js" */
+/** @import {Studio} from "../studio/studio.js" */
 
 export { TIMELINE_KEYS } from "./shortcuts.js";
 
@@ -19,7 +19,7 @@ export { TIMELINE_KEYS } from "./shortcuts.js";
  * Show the timeline of a take.
  *
  * @param {HTMLElement} element where it is shown; it fills the element, and scrolls within it
- * @param {import("../studio.js").Studio & {explanation: HTMLElement}} studio and where explanations are shown
+ * @param {import("../studio/studio.js").Studio & {explanation: HTMLElement}} studio and where explanations are shown
  * @returns {Timeline} also the element's `timeline`
  */
 export function mountTimeline(element, studio) {

@@ -20,7 +20,7 @@ export class Edits {
   #preview;
 
   /**
-   * @param {import("../../actions.js").Actions} actions
+   * @param {import("../../studio/actions.js").Actions} actions
    * @param {() => void} changed called when something is shown otherwise
    * @param {() => number | null} standing where the playhead stands; null while it runs
    */

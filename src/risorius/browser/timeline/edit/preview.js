@@ -15,7 +15,7 @@ export class Preview {
   #standing;
 
   /**
-   * @param {import("../../actions.js").Actions} actions @param {() => void} changed
+   * @param {import("../../studio/actions.js").Actions} actions @param {() => void} changed
    * @param {() => number | null} standing where the playhead stands; null while it runs
    */
   constructor(actions, changed, standing) {

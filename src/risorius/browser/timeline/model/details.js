@@ -13,7 +13,7 @@ export class Details {
   #actions;
   #changed;
 
-  /** @param {import("../../actions.js").Actions} actions @param {() => void} changed */
+  /** @param {import("../../studio/actions.js").Actions} actions @param {() => void} changed */
   constructor(actions, changed) {
     this.#actions = actions;
     this.#changed = changed;

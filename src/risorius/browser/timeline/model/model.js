@@ -1,7 +1,7 @@
 import { keysOf } from "./key_shapes.js";
 import { Pyramid } from "./pyramid.js";
 import { Spans, stacked } from "./spans.js";
-/** @import {Take} from "../../store.js" */
+/** @import {Take} from "../../studio/store.js" */
 /** @import {Around, Base, Block, Speech} from "../../types.js" */
 /** @import {Catalogue, ChannelRow, LaneStates, ParameterRow} from "../../wire.js" */
 

@@ -1,10 +1,10 @@
 /** What lies over the stage: buttons for the cameras, keys on the picture, who is who, what is awaited. */
 
-import { VIEWS } from "./stage/cameras.js";
-import { button } from "./parts/fields.js";
-import { fill, make, there } from "./parts/dom.js";
-import { glyph } from "./parts/glyphs.js";
-/** @import {Stage} from "./stage/stage.js" */
+import { VIEWS } from "../stage/cameras.js";
+import { button } from "../parts/fields.js";
+import { fill, make, there } from "../parts/dom.js";
+import { glyph } from "../parts/glyphs.js";
+/** @import {Stage} from "../stage/stage.js" */
 /** @import {Store} from "./store.js" */
 /** @import {Studio} from "./studio.js" */
 
@@ -94,7 +94,7 @@ function emptyNote(store) {
   return store.get("busy") || "Write a line and perform it, or play an example.";
 }
 
-/** Turn and zoom by keys. @param {KeyboardEvent} event @param {import("./stage/cameras.js").View} view */
+/** Turn and zoom by keys. @param {KeyboardEvent} event @param {import("../stage/cameras.js").View} view */
 export function turnByKeys(event, view) {
   const act = {
     ArrowLeft: () => view.orbit(-STEP, 0),

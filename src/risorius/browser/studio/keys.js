@@ -1,10 +1,10 @@
 /** Keys that hold everywhere on the page, except where text is typed; `help` lists them. */
 
-import { there } from "./parts/dom.js";
+import { there } from "../parts/dom.js";
 import { playOrPause } from "./playing.js";
 import { toggleLoop } from "./transport.js";
 import { toggleFullScreen } from "./views.js";
-import { VIEWS } from "./stage/cameras.js";
+import { VIEWS } from "../stage/cameras.js";
 
 /**
  * @param {import("./studio.js").Studio} studio clock, actions, view

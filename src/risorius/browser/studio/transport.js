@@ -1,12 +1,12 @@
 /** Playing: play and pause, steps, place, speed, loop. */
 
-import { glyph } from "./parts/glyphs.js";
+import { glyph } from "../parts/glyphs.js";
 import { canPlay, playOrPause } from "./playing.js";
-import { button } from "./parts/fields.js";
-import { fill, make } from "./parts/dom.js";
-import { scrubber } from "./parts/scrubber.js";
-/** @import {Clock} from "./player/clock.js" */
-/** @import {GlyphName} from "./parts/glyphs.js" */
+import { button } from "../parts/fields.js";
+import { fill, make } from "../parts/dom.js";
+import { scrubber } from "../parts/scrubber.js";
+/** @import {Clock} from "../player/clock.js" */
+/** @import {GlyphName} from "../parts/glyphs.js" */
 
 const SPEEDS = [0.1, 0.25, 0.5, 0.75, 1, 1.5];
 

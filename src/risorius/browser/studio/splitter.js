@@ -1,6 +1,6 @@
 /** The bar between stage and timeline: it moves by pointer and by arrow keys, and stays where it was left. */
 
-import { there } from "./parts/dom.js";
+import { there } from "../parts/dom.js";
 
 const KEY = "risorius-timeline";
 const LOWEST = 120; // px of the timeline's height

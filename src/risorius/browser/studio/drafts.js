@@ -3,10 +3,10 @@
  * survive a reload, a lost connection, undo, and a take that another tab performs.
  */
 
-import { settled } from "./parts/dom.js";
+import { settled } from "../parts/dom.js";
 /** @import {Store} from "./store.js" */
 /** @import {Studio} from "./studio.js" */
-/** @import {Written} from "./types.js" */
+/** @import {Written} from "../types.js" */
 
 /** @type {("source" | "choices" | "emotions")[]} */
 export const PARTS = ["source", "choices", "emotions"];

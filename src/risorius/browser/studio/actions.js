@@ -1,8 +1,8 @@
 import { adopted, written } from "./drafts.js";
-import { told } from "./parts/dom.js";
-import { changedTake, takeOf } from "./player/take.js";
+import { told } from "../parts/dom.js";
+import { changedTake, takeOf } from "../player/take.js";
 import { Work } from "./work.js";
-/** @import {Written} from "./types.js" */
+/** @import {Written} from "../types.js" */
 
 /**
  * What the user can have done, by name: each asks the server, and puts its answer into the store.
@@ -96,12 +96,12 @@ export class Actions {
     this.#store.set({ preview: false });
   }
 
-  /** Set all markers of the line. @param {import("./wire.js").Marker[]} markers */
+  /** Set all markers of the line. @param {import("../wire.js").Marker[]} markers */
   setMarkers(markers) {
     return this.#changing("markers", { markers }, "");
   }
 
-  /** Say which lanes are muted, solo and locked. @param {import("./wire.js").LaneStates} lanes */
+  /** Say which lanes are muted, solo and locked. @param {import("../wire.js").LaneStates} lanes */
   setLanes(lanes) {
     return this.#changing("lanes", { lanes }, "");
   }

@@ -1,8 +1,8 @@
 /** The live face: what is typed is said at once, in the voice and on the head that are chosen. */
 
-import { button } from "./parts/fields.js";
-import { make, there } from "./parts/dom.js";
-import { glyph } from "./parts/glyphs.js";
+import { button } from "../parts/fields.js";
+import { make, there } from "../parts/dom.js";
+import { glyph } from "../parts/glyphs.js";
 /** @import {Store} from "./store.js" */
 
 /**

@@ -1,6 +1,6 @@
 /** Playing what is written: a line that is not performed yet, or was changed since, is performed first. */
 
-import { settled } from "./parts/dom.js";
+import { settled } from "../parts/dom.js";
 /** @import {Store} from "./store.js" */
 
 const PAUSE = 350; // ms

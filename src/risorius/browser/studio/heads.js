@@ -1,18 +1,18 @@
 /** Figures of heads, fetched when they are needed and kept while they may be needed again. */
 
-import { buildFigure } from "./stage/figure.js";
-/** @import {Choices} from "./wire.js" */
+import { buildFigure } from "../stage/figure.js";
+/** @import {Choices} from "../wire.js" */
 
 const MOST = 3;
 
 export class Heads {
-  /** @type {Map<string, Promise<import("./stage/figure.js").Figure>>} */
+  /** @type {Map<string, Promise<import("../stage/figure.js").Figure>>} */
   #kept = new Map();
 
   /**
    * The figure of the head that choices ask for. `place` is where it stands: two places never share one.
    * @param {Choices} choices of the wire @param {number} place
-   * @returns {Promise<import("./stage/figure.js").Figure>}
+   * @returns {Promise<import("../stage/figure.js").Figure>}
    */
   get(choices, place = 0) {
     const asked = query(choices);

@@ -1,8 +1,8 @@
 /** Files dropped anywhere on the page: recordings are performed, projects opened. */
 
 import { bringBack, isDraft, putAside } from "./drafts.js";
-import { told } from "./parts/dom.js";
-import { upload } from "./panels/recording.js";
+import { told } from "../parts/dom.js";
+import { upload } from "../panels/recording.js";
 
 /** @param {import("./studio.js").Studio} studio */
 export function listenToDrops(studio) {

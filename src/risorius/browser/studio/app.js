@@ -1,24 +1,24 @@
 /** The page: makes its parts, and connects them. */
 
 import { Actions } from "./actions.js";
-import { Clock } from "./player/clock.js";
+import { Clock } from "../player/clock.js";
 import { Connection } from "./connection.js";
 import { NOTHING } from "./drafts.js";
 import { listenToDrops } from "./dropping.js";
 import { mountExample } from "./example.js";
 import { mountHeader } from "./header.js";
 import { listenToKeys } from "./keys.js";
-import { mountPanels } from "./panels/index.js";
-import { there } from "./parts/dom.js";
-import { mountNotice } from "./parts/notice.js";
+import { mountPanels } from "../panels/index.js";
+import { there } from "../parts/dom.js";
+import { mountNotice } from "../parts/notice.js";
 import { prepareWhatIsWritten } from "./playing.js";
 import { sessionName, openSession } from "./session.js";
-import { wakeSoundWhenTouched } from "./player/sound.js";
+import { wakeSoundWhenTouched } from "../player/sound.js";
 import { mountSplitter } from "./splitter.js";
 import { Store } from "./store.js";
 import { HeadPlayers } from "./head_players.js";
-import { followTheme } from "./parts/theme.js";
-import { TIMELINE_KEYS, mountTimeline } from "./timeline/index.js";
+import { followTheme } from "../parts/theme.js";
+import { TIMELINE_KEYS, mountTimeline } from "../timeline/index.js";
 import { mountTransport } from "./transport.js";
 import { mountViews } from "./views.js";
 

@@ -1,11 +1,11 @@
 /** The session: its name in the address, its state when the socket opens, and what the clock plays. */
 
 import { NOTHING, adopted, isDraft, keepDraft, remembered } from "./drafts.js";
-import { settled } from "./parts/dom.js";
-import { takeOf } from "./player/take.js";
+import { settled } from "../parts/dom.js";
+import { takeOf } from "../player/take.js";
 /** @import {Store} from "./store.js" */
 /** @import {Studio} from "./studio.js" */
-/** @import {PageView} from "./wire.js" */
+/** @import {PageView} from "../wire.js" */
 
 const KEY = "risorius-session";
 const NAME = /^[a-z0-9][a-z0-9-]{0,39}$/;

@@ -3,8 +3,8 @@
  * for those that are missing, and drops those far away, so that memory does not grow with the length.
  */
 
-import { KINDS } from "./stage/faces.js";
-/** @import {Face} from "./stage/faces.js" */
+import { KINDS } from "../stage/faces.js";
+/** @import {Face} from "../stage/faces.js" */
 
 const BEHIND = 2; // s of faces kept before the playhead
 const AHEAD = 8; // s of faces asked for beyond it
@@ -31,7 +31,7 @@ export class Player {
 
   /**
    * @param {import("./connection.js").Connection} connection
-   * @param {import("./player/clock.js").Clock} clock
+   * @param {import("../player/clock.js").Clock} clock
    * @param {(a: Face, b: Face, share: number) => void} show shows what lies between two faces
    */
   constructor(connection, clock, show) {
@@ -102,7 +102,7 @@ export class Player {
     this.#ask();
   }
 
-  /** Take in faces from the server. @param {ReturnType<typeof import("./stage/faces.js").unpackFaces>} sent */
+  /** Take in faces from the server. @param {ReturnType<typeof import("../stage/faces.js").unpackFaces>} sent */
   receive({ kind, take, first, faces }) {
     if (take !== this.#take?.take) return;
     if (kind === KINDS.moment) {

@@ -1,7 +1,7 @@
 /** The first minute: an example that plays on a click, then three hints on what is seen. */
 
-import { button } from "./parts/fields.js";
-import { make } from "./parts/dom.js";
+import { button } from "../parts/fields.js";
+import { make } from "../parts/dom.js";
 import { playOrPause } from "./playing.js";
 
 const LINE = "Oh really? I would never have thought of that!";

@@ -3,12 +3,12 @@
  * player that follows the clock.
  */
 
-import { told } from "./parts/dom.js";
+import { told } from "../parts/dom.js";
 import { Heads } from "./heads.js";
 import { Player } from "./player.js";
-import { KINDS, unpackFaces } from "./stage/faces.js";
-import { Stage } from "./stage/stage.js";
-/** @import {Face} from "./stage/faces.js" */
+import { KINDS, unpackFaces } from "../stage/faces.js";
+import { Stage } from "../stage/stage.js";
+/** @import {Face} from "../stage/faces.js" */
 /** @import {Take} from "./store.js" */
 
 export class HeadPlayers {
@@ -16,7 +16,7 @@ export class HeadPlayers {
   #clock;
   #notify;
   #heads;
-  /** @type {(import("./stage/figure.js").Figure | null)[]} */
+  /** @type {(import("../stage/figure.js").Figure | null)[]} */
   #figures = [null, null];
   #players;
   /** How often another head was wanted at each place: one that comes late must not take the place of another. */
@@ -91,7 +91,7 @@ export class HeadPlayers {
     player.load(take, first, last);
   }
 
-  /** What the take's head says, for fine pictures of it. @returns {import("./stage/baked.js").Line | null} */
+  /** What the take's head says, for fine pictures of it. @returns {import("../stage/baked.js").Line | null} */
   #line() {
     const [{ take, frame }, store] = [this.#players[0], this.#store];
     if (!take || this.#figures[1] || store.get("dial") || store.get("preview") || store.get("busy")) return null;

@@ -1,14 +1,14 @@
 /** The page's head: what state it is in, undo and redo, theme, help. */
 
-import { button } from "./parts/fields.js";
-import { fill, make } from "./parts/dom.js";
+import { button } from "../parts/fields.js";
+import { fill, make } from "../parts/dom.js";
 import { showHints } from "./example.js";
 import { isDraft } from "./drafts.js";
-import { glyph } from "./parts/glyphs.js";
+import { glyph } from "../parts/glyphs.js";
 import { liveSwitch } from "./live.js";
-import { switchTheme } from "./parts/theme.js";
+import { switchTheme } from "../parts/theme.js";
 /** @import {Store} from "./store.js" */
-/** @import {GlyphName} from "./parts/glyphs.js" */
+/** @import {GlyphName} from "../parts/glyphs.js" */
 
 /**
  * @param {HTMLElement} tools @param {HTMLElement} state @param {import("./studio.js").Studio} studio
