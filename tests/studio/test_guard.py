@@ -86,6 +86,7 @@ OUTSIDE = [
     "/web/%2fetc%2fpasswd",
     "/web/..%5capi.py",
     "/web/%00",
+    "/web/__init__.py",
     "/api/session/../take/1/sound.wav",
     "/api/session/%2e%2e/project",
     "/api/session/a/export/1/..%2f..%2fproject.json",

@@ -9,7 +9,6 @@ from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
 
 from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
@@ -17,7 +16,6 @@ from starlette.middleware import Middleware
 from starlette.requests import Request
 from starlette.responses import FileResponse, JSONResponse, PlainTextResponse, Response
 from starlette.routing import Mount, Route, WebSocketRoute
-from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket
 
 from ..api import speak
@@ -27,6 +25,7 @@ from ..face.head import shipped_heads
 from ..ports.head_glb import head_glb
 from ..ports.head_shade import shade
 from ..ports.skin_formulas import skin_tables
+from ..serve.pages import parts
 from ..serve.server import LiveServer, ServeOptions
 from ..web.guard import Guard
 from . import limits, session_list
@@ -80,7 +79,7 @@ class Studio:
         """Return the application."""
         routes = [
             Route("/", page),
-            Mount("/web", Files(directory=ROOT)),
+            parts(),
             Route("/api/catalogue", catalogue),
             Route("/api/head", head),
             Route("/api/stage", stage),
@@ -226,19 +225,6 @@ def warm_up(solvers: Solvers) -> None:
     speak("Hm.", text=True)
     _glb("standard", None, None, None)
     _shaded("standard", None, None, None)
-
-
-class Files(StaticFiles):
-    """The page's files, of which a browser asks each time whether they are still the same.
-
-    Else it would put those of two versions of Risorius together.
-    """
-
-    def file_response(self, *arguments: Any, **named: Any) -> Response:
-        """Return the answer with a file."""
-        response = super().file_response(*arguments, **named)
-        response.headers["cache-control"] = "no-cache"
-        return response
 
 
 async def page(request: Request) -> Response:

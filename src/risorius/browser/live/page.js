@@ -1,8 +1,8 @@
 /** The example page: a text box, a face, and what drives it. */
 
-import { GLTFLoader } from "/web/vendor/three/GLTFLoader.js";
-import { drawnBySoftware, draws3d, NO_3D } from "/web/stage/software.js";
-import * as THREE from "/web/vendor/three/three.module.min.js";
+import { GLTFLoader } from "../vendor/three/GLTFLoader.js";
+import { drawnBySoftware, draws3d, NO_3D } from "../stage/software.js";
+import * as THREE from "../vendor/three/three.module.min.js";
 import { LiveFace, driving, nodeOf } from "./risorius-live.js";
 
 const $ = (id) => document.getElementById(id);
