@@ -19,11 +19,19 @@ const SLOWER = 0.1;
 const HEADER = 32;
 
 /**
+ * @typedef {ArrayLike<number>} Samples -1 to 1
+ * @typedef {Record<string, string[]>} Names of the values of each output, as the server's `started` has them
+ * @typedef {object} Wanted
+ * @property {number} fps
+ * @property {string[]} outputs
+ * @property {number} ahead
+ * @property {object} [settings]
+ * @property {string} [token]
  * @typedef {object} Frame
  * @property {number} index
  * @property {number} time seconds from the face's beginning
  * @property {Record<string, Float32Array>} values of each output: `arkit`, `rotations` …
- * @property {Record<string, string[]>} names of the values of each output
+ * @property {Names} names of the values of each output
  * @property {string} text the sentence that is being said
  */
 
@@ -40,12 +48,25 @@ export class LiveFace extends EventTarget {
     super();
     const { sound = true, ...wanted } = options;
     this.url = url;
+    /** @type {Wanted} */
     this.wanted = { fps: 30, outputs: ["arkit", "rotations"], ahead: 0.2, ...wanted };
     this.sounds = sound;
+    /** @type {Frame[]} */
     this.frames = [];
+    /** @type {Set<AudioBufferSourceNode>} */
     this.sources = new Set();
+    /** @type {number | null} */
     this.base = null;
+    /** @type {Frame | null} */
     this.shown = null;
+    /** @type {AudioContext | undefined} */
+    this.context = undefined;
+    /** @type {WebSocket | undefined} */
+    this.socket = undefined;
+    /** @type {Names} */
+    this.started = {};
+    /** @type {string | undefined} */
+    this.fault = undefined;
     this.text = "";
     this.forgetting = false;
   }
@@ -54,22 +75,22 @@ export class LiveFace extends EventTarget {
   start() {
     if (this.sounds) this.context = new AudioContext();
     this.context?.resume();
-    this.socket = new WebSocket(this.url);
-    this.socket.binaryType = "arraybuffer";
+    const socket = (this.socket = new WebSocket(this.url));
+    socket.binaryType = "arraybuffer";
     return new Promise((resolve, reject) => {
-      this.socket.onopen = () => this.send("start", { version: 1, format: "binary", ...this.wanted });
-      this.socket.onclose = ({ code }) => {
+      socket.onopen = () => this.send("start", { version: 1, format: "binary", ...this.wanted });
+      socket.onclose = ({ code }) => {
         reject(new Error(this.fault ?? `the connection closed (${code})`));
         this.tell("closed", { code });
       };
-      this.socket.onmessage = ({ data }) => {
+      socket.onmessage = ({ data }) => {
         if (data instanceof ArrayBuffer) this.take(data);
         else this.hear(JSON.parse(data), resolve);
       };
     });
   }
 
-  /** Add text, cut anywhere. */
+  /** Add text, cut anywhere. @param {string} text */
   say(text) {
     this.send("say", { text });
   }
@@ -77,7 +98,7 @@ export class LiveFace extends EventTarget {
   /**
    * Add a piece of a voice made elsewhere, which is played instead of ours.
    *
-   * @param {Float32Array | number[]} samples -1 to 1
+   * @param {Samples} samples -1 to 1
    * @param {number} rate samples a second
    * @param {{text?: string, words?: [string, number, number][]}} [about] what it says, as far as it is known:
    *   its text, or its words with their start and end in seconds since the voice began, or since `flush`
@@ -86,7 +107,10 @@ export class LiveFace extends EventTarget {
     this.send("say", { ...about, audio: packed(samples), rate });
   }
 
-  /** Look in a direction by name, or at [pitch, yaw] in degrees; null gives the looks back to the face. */
+  /**
+   * Look in a direction by name, or at [pitch, yaw] in degrees; null gives the looks back to the face.
+   * @param {string | [pitch: number, yaw: number] | null} target
+   */
   look(target) {
     const angles = Array.isArray(target) ? { pitch: target[0], yaw: target[1] } : { target };
     this.send("look", angles);
@@ -97,7 +121,7 @@ export class LiveFace extends EventTarget {
     this.send("flush");
   }
 
-  /** Show an emotion at 0 to 1. */
+  /** Show an emotion at 0 to 1. @param {string} emotion @param {number} intensity */
   feel(emotion, intensity) {
     this.send("feel", { emotion, intensity });
   }
@@ -108,7 +132,7 @@ export class LiveFace extends EventTarget {
     this.quiet();
   }
 
-  /** Hear a piece of what the other says: samples -1 to 1, as of a microphone. */
+  /** Hear a piece of what the other says, as of a microphone. @param {Samples} samples @param {number} rate */
   listen(samples, rate) {
     this.send("listen", { audio: packed(samples), rate });
   }
@@ -127,17 +151,19 @@ export class LiveFace extends EventTarget {
 
   /** Return the frame that is heard now; null before the first. */
   frame() {
-    const now = this.now() - this.base;
+    const now = this.now() - (this.base ?? 0);
     while (this.frames.length > 1 && this.frames[1].time <= now) this.frames.shift();
     const [first] = this.frames;
     if (first && first.time <= now) this.shown = first;
     return this.shown;
   }
 
+  /** @param {string} what @param {object} about */
   send(what, about = {}) {
     if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify({ do: what, ...about }));
   }
 
+  /** @param {any} event of the server @param {(event: any) => void} started */
   hear(event, started) {
     if (event.is === "started") {
       this.started = event;
@@ -152,16 +178,18 @@ export class LiveFace extends EventTarget {
     }
   }
 
+  /** @param {string} kind @param {object} detail */
   tell(kind, detail) {
     this.dispatchEvent(new CustomEvent(kind, { detail }));
   }
 
-  /** Take in a packed frame. */
+  /** Take in a packed frame. @param {ArrayBuffer} buffer */
   take(buffer) {
     const view = new DataView(buffer);
     const index = view.getUint32(4, true);
     const rate = view.getUint32(20, true);
     const [floats, samples] = [view.getUint32(24, true), view.getUint32(28, true)];
+    /** @type {Frame["values"]} */
     const values = {};
     let offset = HEADER;
     for (const output of this.wanted.outputs) {
@@ -176,16 +204,18 @@ export class LiveFace extends EventTarget {
     this.frames.push(frame);
   }
 
-  /** Decide when the face's beginning was: frames must come before they are heard. */
+  /** Decide when the face's beginning was: frames must come before they are heard. @param {Frame} frame */
   place(frame) {
     const now = this.now();
-    if (this.base === null || this.forgetting) this.base = now + WAITING / 2 - frame.time;
-    const waits = frame.time + this.base - now;
-    if (waits < 0) this.base -= waits;
-    else if (waits < WAITING && !frame.text) this.base += SLOWER / this.wanted.fps;
+    let base = this.base === null || this.forgetting ? now + WAITING / 2 - frame.time : this.base;
+    const waits = frame.time + base - now;
+    if (waits < 0) base -= waits;
+    else if (waits < WAITING && !frame.text) base += SLOWER / this.wanted.fps;
+    this.base = base;
     this.forgetting = false;
   }
 
+  /** @param {Int16Array} sound @param {number} rate @param {number} first of its samples since the face's beginning */
   play(sound, rate, first) {
     if (!this.context || !sound.length) return;
     const buffer = this.context.createBuffer(1, sound.length, rate);
@@ -195,7 +225,7 @@ export class LiveFace extends EventTarget {
     source.connect(this.context.destination);
     source.onended = () => this.sources.delete(source);
     this.sources.add(source);
-    source.start(Math.max(0, this.base + first / rate));
+    source.start(Math.max(0, (this.base ?? 0) + first / rate));
   }
 
   /** Forget what is not heard yet. */
@@ -224,14 +254,17 @@ export class LiveFace extends EventTarget {
  * Morph targets are found by ARKit's names, or those of the output `rig`, in whatever case; the head and the
  * eyes by the names of their nodes or bones.
  *
- * @param {object} root an Object3D
+ * @param {any} root an Object3D
+ * @returns {(frame: Frame | null) => void}
  */
 export function driving(root) {
+  /** @type {any[]} */
   const meshes = [];
-  root.traverse((object) => {
+  root.traverse((/** @type {any} */ object) => {
     if (object.morphTargetDictionary) meshes.push(object);
   });
   const turned = PARTS.map((part) => nodeOf(root, part)).map((object) => ({ object, rest: object?.quaternion.clone() }));
+  /** @type {Maps} */
   const maps = new Map();
   return (frame) => {
     if (!frame) return;
@@ -249,6 +282,10 @@ export function driving(root) {
   };
 }
 
+/** @typedef {Map<string, [target: number, column: number][]>} Maps */
+/** @typedef {"head" | "left" | "right"} Part */
+
+/** @type {Part[]} */
 const PARTS = ["head", "left", "right"];
 const NODES = {
   head: /^(head|j_bip_c_head)$/,
@@ -256,42 +293,55 @@ const NODES = {
   right: /^(eye_?right|right_?eye|eye_?r|j_adj_r_faceeye)$/,
 };
 
-/** Return the node or bone that is the `head`, the `left` or the `right` eye; undefined if there is none. */
+/**
+ * Return the node or bone that is the `head`, the `left` or the `right` eye; undefined if there is none.
+ * @param {any} root an Object3D @param {Part} part
+ * @returns {any}
+ */
 export function nodeOf(root, part) {
+  /** @type {any} */
   let found;
-  root.traverse((object) => {
+  root.traverse((/** @type {any} */ object) => {
     if (NODES[part].test(object.name.toLowerCase().replace(/^mixamorig:?/, ""))) found ??= object;
   });
   return found;
 }
 
-/** Return the pairs of morph target and column of a mesh. */
+/**
+ * Return the pairs of morph target and column of a mesh.
+ * @param {Maps} maps @param {any} mesh @param {string} output @param {string[]} names
+ */
 function targets(maps, mesh, output, names) {
   const key = mesh.uuid + output;
-  if (!maps.has(key)) {
+  let pairs = maps.get(key);
+  if (!pairs) {
     const columns = new Map(names.map((name, column) => [name.toLowerCase(), column]));
-    const pairs = Object.entries(mesh.morphTargetDictionary).map(([name, target]) => [
-      target,
-      columns.get(name.toLowerCase().replace(/^.*\./, "")),
-    ]);
-    maps.set(key, pairs.filter(([, column]) => column !== undefined));
+    pairs = Object.entries(mesh.morphTargetDictionary).flatMap(([name, target]) => {
+      const column = columns.get(name.toLowerCase().replace(/^.*\./, ""));
+      return column === undefined ? [] : [[target, column]];
+    });
+    maps.set(key, pairs);
   }
-  return maps.get(key);
+  return pairs;
 }
 
-/** Turn a node: it tilts first, then nods, then turns. */
+/**
+ * Turn a node: it tilts first, then nods, then turns.
+ * @param {{object: any, rest: any}} node @param {Float32Array} angles
+ */
 function turn({ object, rest }, [yaw, pitch, roll]) {
   if (!object) return;
   object.rotation.set(-pitch, yaw, -roll, "YXZ");
   object.quaternion.premultiply(rest);
 }
 
-/** Samples -1 to 1 as 16-bit ones in base64. */
+/** Samples as 16-bit ones in base64. @param {Samples} samples */
 function packed(samples) {
   const words = Int16Array.from(samples, (s) => Math.round(Math.max(-1, Math.min(1, s)) * 32767));
   return base64(new Uint8Array(words.buffer));
 }
 
+/** @param {Uint8Array} bytes */
 function base64(bytes) {
   let text = "";
   for (const byte of bytes) text += String.fromCharCode(byte);
