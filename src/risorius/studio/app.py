@@ -26,6 +26,7 @@ from ..ports.head_glb import head_glb
 from ..ports.head_shade import shade
 from ..ports.skin_formulas import skin_tables
 from ..serve.pages import parts
+from ..serve.pictures import PictureServer
 from ..serve.server import LiveServer, ServeOptions
 from ..web.guard import Guard
 from . import limits, session_list
@@ -80,6 +81,7 @@ class Studio:
         routes = [
             Route("/", page),
             parts(),
+            PictureServer().route(),
             Route("/api/catalogue", catalogue),
             Route("/api/head", head),
             Route("/api/stage", stage),
