@@ -19,7 +19,7 @@ from starlette.responses import PlainTextResponse, Response
 from starlette.routing import Route
 
 from ..core.arrays import ByteArray
-from ..core.parameters import NAMES, PARAMETERS
+from ..core.parameters import NAMES, NEUTRAL, PARAMETERS
 from ..errors import InputError, RisoriusError, unknown
 from ..face.head import shipped_heads
 from ..face.solve import FaceSolver
@@ -73,9 +73,7 @@ def wanted_picture(query: QueryParams) -> WantedPicture:
     width = _number(query, "width") or HEIGHT
     nearest = min(WIDTHS, key=lambda known: abs(known - width))
     values = _numbers(query, "values", len(NAMES))
-    if values is None:
-        raise InputError(f"values are missing; expected {len(NAMES)} numbers, those of all parameters")
-    return WantedPicture(person, nearest, _camera(query), values)
+    return WantedPicture(person, nearest, _camera(query), values or tuple(NEUTRAL.tolist()))
 
 
 def _camera(query: QueryParams) -> Camera | None:

@@ -44,7 +44,7 @@ DRAWN = """
   camera.updateMatrixWorld();
   const gl = renderer.getContext();
   const picture = () => {
-    figure.ready(true, camera, side, renderer);
+    figure.ready(camera, side, renderer);
     renderer.render(scene, camera);
     const bytes = new Uint8Array(4 * side * side);
     gl.readPixels(0, 0, side, side, gl.RGBA, gl.UNSIGNED_BYTE, bytes);

@@ -22,7 +22,7 @@ export class Dialler {
   show(face, live) {
     const { store, clock } = this.#studio;
     clock.pause();
-    store.set({ dial: face });
+    store.set(store.get("dial") ? { dial: face } : { dial: face, dialled: null });
     const { head, age } = store.get("choices");
     this.#waiting = { ...face, live, head, age };
     if (!this.#busy) this.#send();
@@ -34,7 +34,8 @@ export class Dialler {
       const asked = this.#waiting;
       this.#waiting = null;
       try {
-        const { notes } = await this.#studio.connection.request("dial", asked);
+        const { notes, values } = await this.#studio.connection.request("dial", asked);
+        this.#studio.store.set({ dialled: values });
         this.#said(notes.join(" · "));
       } catch (error) {
         this.#said(told(error));

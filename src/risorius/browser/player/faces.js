@@ -78,6 +78,6 @@ export class PlayedFaces {
     const [points, folds] = [numbers.subarray(0, 3 * vertices), numbers.subarray(3 * vertices)];
     const turns = this.#poses.subarray(frame * pose, (frame + 1) * pose);
     const eyes = [turns.subarray(4, 8), turns.subarray(8, 12)];
-    return { points, folds, head: turns.subarray(0, 4), eyes, jaw: turns[12], lips: turns[13], frame };
+    return { points, folds, head: turns.subarray(0, 4), eyes, jaw: turns[12], lips: turns[13] };
   }
 }

@@ -7,7 +7,7 @@ export const KINDS = { take: 1, dial: 2, moment: 3 };
 const HEADER = 6;
 
 /**
- * @typedef {{points: Int16Array, folds: Uint8Array | Int16Array, head: Float32Array, eyes: Float32Array[], jaw: number, lips: number, frame: number}} Face
+ * @typedef {{points: Int16Array, folds: Uint8Array | Int16Array, head: Float32Array, eyes: Float32Array[], jaw: number, lips: number}} Face
  * `folds` are the heights of the fine wrinkles, `lips` is how much blood these gain; `points` are steps from the origin that the head's description states; turns are quaternions x, y, z, w.
  */
 
@@ -31,7 +31,6 @@ export function unpackFaces(buffer) {
       eyes: [turns.subarray(4, 8), turns.subarray(8, 12)],
       jaw: turns[12],
       lips: turns[13],
-      frame: kind === KINDS.take ? first + k : -1,
     };
   });
   return { kind, take, first, faces };

@@ -7,8 +7,8 @@
 
 import * as THREE from "../vendor/three/three.module.min.js";
 import { Blood } from "./blood.js";
+import { lighterOf, shade as shadeAnew } from "./coarse.js";
 import { Cover } from "./cover.js";
-import { lighterOf, shade as shadeAnew } from "./detail.js";
 import { eyeMaterial, placeLids, turnEye } from "./eye.js";
 import { Folds } from "./folds.js";
 import { MM, bloodOf, geometryOf, irisTexture, lightOf, neckColour, neckShare } from "./geometry.js";
@@ -26,10 +26,11 @@ import { Order, asStrands, follow } from "./strands.js";
 /**
  * @param {HeadData} data of the head
  * @param {StageTable} packing how faces of this head are packed, as the server describes it
+ * @param {boolean} coarse whether few triangles are drawn: for browsers without a graphics card
  */
-export async function buildFigure(data, packing) {
+export async function buildFigure(data, packing, coarse = false) {
   const glb = readGlb(data.head);
-  return new Figure(glb, packing, data, await irisTexture(glb.images[0]));
+  return new Figure(glb, packing, data, await irisTexture(glb.images[0]), coarse);
 }
 
 export class Figure {
@@ -42,13 +43,10 @@ export class Figure {
   #neck;
   /** @type {Mesh[]} */
   #eyes = [];
-  #fine = true;
-  /** @type {Record<string, import("./detail.js").Lighter>} by the name of what it stands for */
+  /** @type {Record<string, import("./coarse.js").Lighter>} by the name of what it stands for; empty where all triangles are drawn */
   #lighter = {};
   /** @type {{a: import("./faces.js").Face, b: import("./faces.js").Face, share: number} | null} */
   #shown = null;
-  /** @type {import("./faces.js").Face | null} */
-  #lent = null;
   #waits = false; // whether the face that is shown is not taken up yet: another may come before it is drawn
   /** @type {Set<string>} meshes whose points are elsewhere */
   #stale = new Set();
@@ -62,8 +60,8 @@ export class Figure {
   #uniforms;
   #shaded = false; // whether the shadow is that of the face
 
-  /** @param {HeadFile} glb @param {StageTable} packing @param {HeadData} data @param {THREE.Texture} iris */
-  constructor(glb, packing, data, iris) {
+  /** @param {HeadFile} glb @param {StageTable} packing @param {HeadData} data @param {THREE.Texture} iris @param {boolean} coarse */
+  constructor(glb, packing, data, iris, coarse) {
     const shade = new Uint8Array(data.shade);
     this.#packing = packing;
     this.pivot = new THREE.Vector3(...packing.pivot);
@@ -82,13 +80,13 @@ export class Figure {
     this.#uniforms.shadowMap.value = this.#shadow.map;
     this.#blood = this.#perfuse(shade);
     this.#partLips(this.#points);
-    this.#prepareLighter();
+    if (coarse) this.#coarsen();
+    this.#order();
     groupTriangles(geometry);
   }
 
   /** The skin's points in mm in the head's frame, as they are shown: x, y, z, x, … */
   get skin() {
-    this.lend(null);
     this.#takeFace();
     return this.#points;
   }
@@ -104,28 +102,18 @@ export class Figure {
 
   /**
    * Have ready what is drawn next.
-   * @param {boolean} fine whether all triangles are, or few: as a machine without a graphics card draws a face
-   *   that moves
    * @param {THREE.Camera} camera @param {number} height of the picture, in pixels
    * @param {THREE.WebGLRenderer} renderer that draws it
    */
-  ready(fine, camera, height, renderer) {
-    if (fine !== this.#fine) this.#refine(fine);
+  ready(camera, height, renderer) {
     this.#takeFace();
     for (const name of this.#stale) this.#moved(name);
     this.#stale.clear();
     this.group.updateMatrixWorld(true);
     this.#ownUniforms.millimetres.value = (2 * MM * camera.position.length()) / (height * camera.projectionMatrix.elements[5]);
-    if (!this.#shaded) this.#shadow.draw(renderer, this.#fine ? this.#meshes.skin : this.#lighter.skin.mesh);
+    if (!this.#shaded) this.#shadow.draw(renderer, this.#lighter.skin?.mesh ?? this.#meshes.skin);
     this.#shaded = true;
-    for (const mesh of this.#hairs.keys()) if (mesh.visible) this.#comb(mesh, camera, height);
-  }
-
-  /** Its meshes with all their triangles, in the order in which they are drawn. */
-  get whole() {
-    /** @param {Mesh} mesh */
-    const rank = ({ renderOrder, material }) => renderOrder + (material.transparent ? 2 : 0);
-    return Object.values(this.#meshes).sort((a, b) => rank(a) - rank(b));
+    for (const mesh of this.#hairs.keys()) this.#comb(mesh, camera, height);
   }
 
   /** How many numbers a face of this head has. */
@@ -144,23 +132,6 @@ export class Figure {
     this.#shown = { a, b, share };
     this.#waits = true;
     return true;
-  }
-
-  /** The face that is shown, or of two the nearer. */
-  get nearest() {
-    return this.#shown && (this.#shown.share < 0.5 ? this.#shown.a : this.#shown.b);
-  }
-
-  /** The face that it has for a picture beside the stage; null for its own. */
-  get lent() {
-    return this.#lent;
-  }
-
-  /** Have another face for a picture beside the stage. @param {import("./faces.js").Face | null} face */
-  lend(face) {
-    if (face === this.#lent) return;
-    this.#lent = face;
-    this.#waits = true;
   }
 
   /** Free what the graphics card holds. */
@@ -201,10 +172,9 @@ export class Figure {
   }
 
   #takeFace() {
-    const shown = this.#lent ? { a: this.#lent, b: this.#lent, share: 0 } : this.#shown;
-    if (!this.#waits || !shown) return;
+    if (!this.#waits || !this.#shown) return;
     this.#waits = false;
-    const { a, b, share } = shown;
+    const { a, b, share } = this.#shown;
     turn(this.#head.quaternion, a.head, b.head, share);
     for (const part of this.#packing.parts) this.#place(part, a.points, b.points, share);
     this.#folds.raise(a.folds, b.folds, share);
@@ -258,16 +228,6 @@ export class Figure {
     this.#stale.add(name);
   }
 
-  /** @param {boolean} fine */
-  #refine(fine) {
-    this.#fine = fine;
-    for (const [name, lighter] of Object.entries(this.#lighter)) {
-      this.#meshes[name].visible = fine;
-      lighter.mesh.visible = !fine;
-    }
-    for (const { name } of this.#packing.parts) this.#stale.add(name);
-  }
-
   /**
    * Have hairs as wide as can be seen, and in order.
    * @param {Mesh} mesh @param {THREE.Camera} camera @param {number} height
@@ -284,7 +244,7 @@ export class Figure {
   #moved(name) {
     const { geometry } = this.#meshes[name];
     this.#shaded &&= name !== "skin";
-    const lighter = this.#fine ? null : this.#lighter[name];
+    const lighter = this.#lighter[name] ?? null;
     for (const moving of MOVING[name] ?? ["position"]) {
       lighter?.take(moving);
       geometry.attributes[moving].needsUpdate = !lighter;
@@ -318,8 +278,8 @@ export class Figure {
     findSlit(this.#packing.lips, points, this.#uniforms.lipSpan.value, this.#uniforms.lips.value);
   }
 
-  /** Have a lighter mesh beside each that has too many triangles. */
-  #prepareLighter() {
+  /** Have a lighter mesh in place of each that has many triangles. */
+  #coarsen() {
     const teeth = this.#meshes.teeth_upper.geometry;
     teeth.computeBoundingBox();
     const { min, max } = /** @type {THREE.Box3} */ (teeth.boundingBox);
@@ -331,15 +291,22 @@ export class Figure {
       edges: edges.map((vertex) => [...this.#points.subarray(3 * vertex, 3 * vertex + 3)]),
       mouth: mouth.toArray(),
     };
-    const cover = new Cover(turningPoints(this.#points, this.#neck, this.pivot), this.#meshes.hair ? pointsOf(this.#meshes.hair) : []);
     for (const [name, mesh] of Object.entries(this.#meshes)) {
       const lighter = lighterOf(name, mesh, spots);
       if (!lighter) continue;
       this.#lighter[name] = lighter;
-      lighter.mesh.visible = false;
+      mesh.visible = false;
       mesh.parent?.add(lighter.mesh);
+    }
+  }
+
+  /** Have the hairs that are drawn put in order. */
+  #order() {
+    const cover = new Cover(turningPoints(this.#points, this.#neck, this.pivot), this.#meshes.hair ? pointsOf(this.#meshes.hair) : []);
+    for (const name of HAIRS) {
+      const mesh = this.#lighter[name]?.mesh ?? this.#meshes[name];
       const covered = this.#packing.parts.some((part) => part.name === name) ? null : cover;
-      if (HAIRS.includes(name)) for (const one of [mesh, lighter.mesh]) this.#hairs.set(one, new Order(one.geometry, covered));
+      if (mesh) this.#hairs.set(mesh, new Order(mesh.geometry, covered));
     }
   }
 

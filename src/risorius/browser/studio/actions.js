@@ -1,6 +1,6 @@
 import { adopted, written } from "./drafts.js";
 import { told } from "../parts/dom.js";
-import { changedTake, takeOf } from "../player/take.js";
+import { changedTake, curvesOf, takeOf } from "../player/take.js";
 import { Work } from "./work.js";
 /** @import {Written} from "../types.js" */
 
@@ -85,7 +85,9 @@ export class Actions {
   async preview(edits, face) {
     this.#store.set({ preview: face !== null });
     try {
-      return await this.#connection.request("preview_all", { edits, face });
+      const answer = await this.#connection.request("preview_all", { edits, face });
+      if (face !== null) this.#store.set({ tried: curvesOf(answer.curves) });
+      return answer;
     } catch {
       return null;
     }
@@ -93,7 +95,7 @@ export class Actions {
 
   /** Show the take's own face again. */
   endPreview() {
-    this.#store.set({ preview: false });
+    this.#store.set({ preview: false, tried: null });
   }
 
   /** Set all markers of the line. @param {import("../wire.js").Marker[]} markers */

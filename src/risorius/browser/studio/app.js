@@ -15,8 +15,10 @@ import { prepareWhatIsWritten } from "./playing.js";
 import { sessionName, openSession } from "./session.js";
 import { wakeSoundWhenTouched } from "../player/sound.js";
 import { mountSplitter } from "./splitter.js";
-import { Store } from "./store.js";
 import { HeadPlayers } from "./head_players.js";
+import { PictureHeads } from "./picture_heads.js";
+import { Store } from "./store.js";
+import { graphics } from "../stage/graphics.js";
 import { followTheme } from "../parts/theme.js";
 import { TIMELINE_KEYS, mountTimeline } from "../timeline/index.js";
 import { mountTransport } from "./transport.js";
@@ -39,7 +41,9 @@ const store = new Store({
   selection: { time: null, parameter: null, movement: null },
   other: null,
   dial: null,
+  dialled: null,
   preview: false,
+  tried: null,
   graphs: null,
   recordings: [],
   ownEmotions: [],
@@ -50,9 +54,10 @@ const notify = mountNotice(there("notice"));
 const clock = new Clock();
 const connection = new Connection(`ws://${location.host}/ws/${store.get("session")}`);
 const actions = new Actions(store, connection, notify);
-const headPlayers = new HeadPlayers(there("head"), { store, connection, clock, notify });
+const Heads = graphics() === "card" || graphics() === "coarse" ? HeadPlayers : PictureHeads;
+const headPlayers = new Heads(there("head"), { store, connection, clock, notify });
 /** @type {import("./studio.js").Studio} */
-const studio = { store, clock, connection, actions, notify, headPlayers, view: headPlayers.stage.view };
+const studio = { store, clock, connection, actions, notify, headPlayers, view: headPlayers.view };
 
 const help = mountHeader(there("tools"), there("state"), studio);
 help.list([...listenToKeys(studio, help.open), ...TIMELINE_KEYS]);

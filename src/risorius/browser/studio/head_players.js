@@ -7,6 +7,7 @@ import { told } from "../parts/dom.js";
 import { Heads } from "./heads.js";
 import { Player } from "./player.js";
 import { KINDS, unpackFaces } from "../stage/faces.js";
+import { graphics } from "../stage/graphics.js";
 import { Stage } from "../stage/stage.js";
 /** @import {Face} from "../stage/faces.js" */
 /** @import {Take} from "./store.js" */
@@ -27,14 +28,13 @@ export class HeadPlayers {
     this.#store = store;
     this.#clock = clock;
     this.#notify = notify;
-    this.stage = new Stage(canvas);
-    this.#heads = new Heads();
-    this.stage.line = () => this.#line();
+    const coarse = graphics() === "coarse";
+    this.stage = new Stage(canvas, { smooth: !coarse });
+    this.#heads = new Heads({ coarse });
     this.#players = [0, 1].map(
       (place) => new Player(connection, clock, (a, b, s) => this.#show(place, a, b, s)),
     );
     connection.on("binary", (buffer) => this.#receive(unpackFaces(buffer)));
-    clock.on("tick", () => this.stage.stir());
     clock.seen = () => this.#players.every((player) => !player.behind);
     const engaged = () => {
       this.stage.playing = clock.playing || store.get("busy") !== "";
@@ -47,9 +47,18 @@ export class HeadPlayers {
       this.#players[0].previewing = store.get("preview");
     });
     store.watch(["dial"], () => {
-      this.stage.stir();
       if (store.get("dial") === null) this.#players[0].update();
     });
+  }
+
+  /** From where the heads are looked at. */
+  get view() {
+    return this.stage.view;
+  }
+
+  /** Whether the face of the take has not come yet. */
+  get behind() {
+    return this.#players[0].behind;
   }
 
   /** Who stands at the place of the take, and at that of the comparison; null where nobody does. */
@@ -87,15 +96,7 @@ export class HeadPlayers {
     const player = this.#players[place];
     if (player.take === take) return;
     const { first = 0, last = Infinity } = place === 0 ? (this.#store.get("faces") ?? {}) : {};
-    if (place === 0) this.stage.baked?.forget(first, last);
     player.load(take, first, last);
-  }
-
-  /** What the take's head says, for fine pictures of it. @returns {import("../stage/baked.js").Line | null} */
-  #line() {
-    const [{ take, frame }, store] = [this.#players[0], this.#store];
-    if (!take || this.#figures[1] || store.get("dial") || store.get("preview") || store.get("busy")) return null;
-    return { frames: take.frames, now: frame, face: (at) => this.#players[0].face(at) };
   }
 
   /** @param {number} place */

@@ -6,8 +6,14 @@ import { buildFigure } from "../stage/figure.js";
 const MOST = 3;
 
 export class Heads {
+  #coarse;
   /** @type {Map<string, Promise<import("../stage/figure.js").Figure>>} */
   #kept = new Map();
+
+  /** @param {{coarse?: boolean}} [how] `coarse`: whether the heads have few triangles */
+  constructor({ coarse = false } = {}) {
+    this.#coarse = coarse;
+  }
 
   /**
    * The figure of the head that choices ask for. `place` is where it stands: two places never share one.
@@ -41,7 +47,7 @@ export class Heads {
       answered(`/api/stage?${asked}`).then((response) => response.json()),
       ...[`head?${asked}`, `shade?${asked}`, `folds?${asked}`, "skin"].map(bytesOf),
     ]);
-    return buildFigure({ head, shade, folds, skin }, packing);
+    return buildFigure({ head, shade, folds, skin }, packing, this.#coarse);
   }
 }
 

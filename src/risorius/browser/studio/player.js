@@ -52,21 +52,6 @@ export class Player {
     return this.#take;
   }
 
-  /** The last frame that is not after the clock's time. */
-  get frame() {
-    return this.#take ? this.#now() : 0;
-  }
-
-  /** A face of any frame; null if it cannot be had now. @param {number} frame @returns {Promise<Face | null>} */
-  async face(frame) {
-    const { take, frames, rate } = this.#held;
-    const held = () => (this.#take?.take === take ? (this.#faces.get(frame) ?? null) : null);
-    if (held() || this.#asking || !this.#connection.up) return held();
-    const last = Math.min(frame + Math.ceil(rate), frames);
-    await this.#connection.request("faces", { take, first: frame, last }).catch(() => {});
-    return held();
-  }
-
   /** The take, where one is known to be there. */
   get #held() {
     return /** @type {{take: number, frames: number, rate: number}} */ (this.#take);

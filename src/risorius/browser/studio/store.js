@@ -23,6 +23,8 @@
  * @property {(Take & {label: string}) | null} other the second take of a comparison
  * @property {boolean} preview whether the timeline shows a change that is not made yet
  * @property {import("../types.js").DialledFace | null} dial what dials hold, as `Dial` of the wire; null while the take is shown
+ * @property {Record<string, number> | null} dialled the values of all parameters of that face; null until the server tells
+ * @property {Map<string, Float32Array | null> | null} tried the curves that such a change makes other; null where one comes to rest
  * @property {string[]} recordings names of the recordings that the session has
  * @property {string[]} ownEmotions names of emotions saved in the session
  * @property {Record<string, Record<string, number>>} poses poses saved in the session

@@ -1,10 +1,10 @@
 /** What lies over the stage: buttons for the cameras, keys on the picture, who is who, what is awaited. */
 
 import { VIEWS } from "../stage/cameras.js";
+import { graphics } from "../stage/graphics.js";
 import { button } from "../parts/fields.js";
 import { fill, make, there } from "../parts/dom.js";
 import { glyph } from "../parts/glyphs.js";
-/** @import {Stage} from "../stage/stage.js" */
 /** @import {Store} from "./store.js" */
 /** @import {Studio} from "./studio.js" */
 
@@ -34,7 +34,7 @@ export function mountViews(element, note, names, studio) {
     fill(names, ...labels.map((label) => make("span", {}, make("b", {}, label))));
   });
   mountNote(note, studio);
-  mountFine(element, studio.headPlayers.stage);
+  mountReason(element);
 }
 
 /** The button that lets the stage fill the screen. @param {HTMLElement} stage */
@@ -53,23 +53,18 @@ export function toggleFullScreen(stage) {
   done.catch(() => {}); // where the browser does not allow it, nothing happens
 }
 
-/**
- * Whether the line is played as finely as the head at rest is drawn, and how much of it can be by now.
- * @param {HTMLElement} element @param {Stage} stage
- */
-function mountFine(element, { baked }) {
-  if (!baked) return;
-  const label = make("span");
-  const title = "No graphics card draws: pictures of the line are made while nothing else is done, and are then played";
-  const fine = make("button", { id: "fine", title, onclick: () => (baked.on = !baked.on) }, label);
-  element.after(fine);
-  const show = () => {
-    const { share } = baked;
-    label.textContent = share === null ? "Fine preview" : `Fine preview ${Math.floor(100 * share)} %`;
-    fine.setAttribute("aria-pressed", String(baked.on));
-  };
-  baked.watch(show);
-  show();
+/** Why the server draws, where it does. @type {Record<import("../stage/graphics.js").Graphics, string>} */
+const REASONS = {
+  card: "",
+  coarse: "",
+  processor: "No graphics card: the server draws draft pictures.",
+  none: "This browser has no WebGL 2: the server draws draft pictures.",
+};
+
+/** Say why the stage shows pictures of the server. @param {HTMLElement} element */
+function mountReason(element) {
+  const reason = REASONS[graphics()];
+  if (reason) element.after(make("p", { id: "drawn-by" }, reason));
 }
 
 /** @param {HTMLElement} note @param {Studio} studio */
@@ -80,7 +75,7 @@ function mountNote(note, { store, clock, headPlayers }) {
   setInterval(() => missingSince && show(), PATIENCE);
 
   function show() {
-    const behind = store.get("dial") === null && headPlayers.players[0].behind;
+    const behind = store.get("dial") === null && headPlayers.behind;
     missingSince = behind ? missingSince || performance.now() : 0;
     const late = missingSince > 0 && performance.now() - missingSince > PATIENCE;
     const text = late ? "Loading the face …" : emptyNote(store);

@@ -1,4 +1,4 @@
-import { drawnBySoftware } from "../../stage/software.js";
+import { graphics } from "../../stage/graphics.js";
 import { contextOf } from "../../parts/dom.js";
 import { h } from "../dom.js";
 
@@ -78,7 +78,7 @@ export class Overview {
     if (drawn === this.#drawn) return;
     this.#drawn = drawn;
     [this.#canvas.width, this.#canvas.height] = [width, height];
-    const context = contextOf(this.#canvas, { willReadFrequently: drawnBySoftware() });
+    const context = contextOf(this.#canvas, { willReadFrequently: graphics() !== "card" });
     context.fillStyle = palette.wave;
     const peaks = wave?.peaks ?? new Int8Array();
     const count = peaks.length / 2;

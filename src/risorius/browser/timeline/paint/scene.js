@@ -1,5 +1,5 @@
 import { contextOf } from "../../parts/dom.js";
-import { drawnBySoftware } from "../../stage/software.js";
+import { graphics } from "../../stage/graphics.js";
 import { paintSpan } from "../edit/group.js";
 import { paintMarkers } from "../edit/markers.js";
 import { clockTime, paintRuler, paintTexts, paintWave } from "./paint_head.js";
@@ -59,7 +59,7 @@ export class Scene {
    */
   constructor(canvas, { view, edits, details }) {
     // Canvas by a graphics card that is none is ten times as slow as without.
-    this.context = contextOf(canvas, { willReadFrequently: drawnBySoftware() });
+    this.context = contextOf(canvas, { willReadFrequently: graphics() !== "card" });
     this.canvas = canvas;
     this.view = view;
     this.edits = edits;
