@@ -82,7 +82,7 @@ def test_a_picture_shows_the_face_from_the_camera(server: Running) -> None:
 
 
 def test_sizes_are_bounded(server: Running) -> None:
-    assert picture(server, width=100000).shape[:2] == (360, 720)
+    assert picture(server, width=100000).shape[:2] == (360, 1080)
     assert picture(server, width=1).shape[:2] == (360, 180)
 
 

@@ -34,7 +34,7 @@ K = TypeVar("K")
 V = TypeVar("V")
 HEIGHT = 360
 """Rows of a picture."""
-WIDTHS = range(180, 721, 20)
+WIDTHS = range(180, 1081, 20)
 """How wide pictures are drawn; another width is drawn as the nearest of these."""
 WAITING = 8
 """Requests that may wait for their turn."""

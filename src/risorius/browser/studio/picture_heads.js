@@ -92,8 +92,23 @@ export class PictureHeads {
     const [width, height] = [clientWidth, clientHeight].map((side) => Math.round(side * window.devicePixelRatio));
     Object.assign(this.#canvas, { width, height });
     const each = width / this.#count;
-    this.#shown.forEach(({ picture }, place) => picture && this.#context.drawImage(picture, place * each, 0, each, height));
+    this.#shown.forEach(({ picture }, place) => picture && this.#put(picture, place * each, each, height));
     this.drawn += 1;
+  }
+
+  /**
+   * Put a picture in the midst of its part of the stage, as high as that: its width is only nearly that which was asked for.
+   * @param {ImageBitmap} picture @param {number} left @param {number} width @param {number} height
+   */
+  #put(picture, left, width, height) {
+    const context = this.#context;
+    const across = (height * picture.width) / picture.height;
+    context.save();
+    context.beginPath();
+    context.rect(left, 0, width, height);
+    context.clip();
+    context.drawImage(picture, left + (width - across) / 2, 0, across, height);
+    context.restore();
   }
 }
 
