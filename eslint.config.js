@@ -8,7 +8,7 @@ const BROWSER = [
   "clearTimeout", "clearInterval", "console", "createImageBitmap", "crypto", "devicePixelRatio", "document", "fetch",
   "getComputedStyle", "history", "innerHeight", "innerWidth", "localStorage", "location", "matchMedia", "navigator",
   "performance", "requestAnimationFrame", "requestIdleCallback", "sessionStorage", "setInterval", "setTimeout", "window",
-  "AudioBufferSourceNode", "AudioContext", "EventTarget", "File", "MediaRecorder", "Option", "btoa", "structuredClone", "CanvasRenderingContext2D", "queueMicrotask", "confirm", "Buffer", "setImmediate",
+  "AudioBufferSourceNode", "AudioContext", "EventTarget", "File", "MediaRecorder", "Option", "btoa", "structuredClone", "CanvasRenderingContext2D", "queueMicrotask", "confirm", "Buffer", "TextEncoder", "setImmediate",
 ]; // prettier-ignore
 
 export default [
