@@ -26,6 +26,7 @@ from ..face.solve import FaceSolver
 from ..looks.apply_look import apply_look
 from ..looks.head_model import head_model
 from ..render.camera import Camera
+from ..render.framing import frame_head
 from ..render.software_renderer import SoftwareRenderer
 from ..settings import Look, Settings
 from ..take import make_solver
@@ -39,7 +40,7 @@ WIDTHS = range(180, 1081, 20)
 WAITING = 8
 """Requests that may wait for their turn."""
 KEPT = 2
-"""Heads whose solvers, and cameras whose renderers are kept: those of a comparison."""
+"""Heads whose solvers and renderers are kept: those of a comparison."""
 QUALITY = 80
 _LOWEST, _HIGHEST = (np.array([getattr(p, end) for p in PARAMETERS]) for end in ("low", "high"))
 
@@ -142,8 +143,9 @@ class PictureServer:
 
     def _draw(self, wanted: WantedPicture) -> ByteArray:
         solver = _kept(self._solvers, wanted.person, lambda: make_solver(_settings(wanted.person)))
-        key = wanted.person, wanted.width, wanted.camera
+        key = wanted.person, wanted.width
         renderer = _kept(self._renderers, key, lambda: _renderer(solver, wanted))
+        renderer.look_from(wanted.camera or frame_head(renderer.scene.anatomy, wanted.width / HEIGHT))
         return renderer.render(solver.solve(np.clip(wanted.values, _LOWEST, _HIGHEST)))
 
 
@@ -154,7 +156,7 @@ def _settings(person: Person) -> Settings:
 def _renderer(solver: FaceSolver, wanted: WantedPicture) -> SoftwareRenderer:
     look = Look(hair=wanted.person.hair, complexion=wanted.person.complexion)
     model = head_model(solver.head, apply_look(solver.head.identity.looks, look))
-    return SoftwareRenderer(model, (wanted.width, HEIGHT), "draft", camera=wanted.camera, alpha=True)
+    return SoftwareRenderer(model, (wanted.width, HEIGHT), "draft", alpha=True)
 
 
 def _kept(kept: OrderedDict[K, V], key: K, make: Callable[[], V]) -> V:
