@@ -11,7 +11,7 @@ const LIVE = "Live: type the next line while it speaks.";
 /** Why the server draws, where it does. */
 const REASONS = {
   card: "",
-  coarse: "",
+  coarse: " The server draws draft pictures.",
   processor: " No graphics card: the server draws draft pictures.",
   none: " This browser has no WebGL 2: the server draws draft pictures.",
 };
@@ -22,7 +22,7 @@ const token = given.get("token") ?? undefined;
 const { settings: known, heads } = await (await fetch("about.json")).json();
 const asked = Object.entries(JSON.parse(given.get("settings") ?? "{}"));
 const settings = Object.fromEntries(asked.filter(([name]) => known.includes(name)));
-const drawn = graphics() === "card" || graphics() === "coarse";
+const drawn = graphics() === "card";
 const stage = drawn ? new DrawnCharacter($("stage")) : new PicturedHead($("stage"), token);
 $("character").disabled = !drawn;
 /** @type {LiveFace | null} */

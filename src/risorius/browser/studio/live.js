@@ -3,6 +3,7 @@
 import { button } from "../parts/fields.js";
 import { make, there } from "../parts/dom.js";
 import { glyph } from "../parts/glyphs.js";
+import { asked } from "../stage/graphics.js";
 /** @import {Store} from "./store.js" */
 
 /**
@@ -43,10 +44,11 @@ function shown(store) {
     ([name, value]) => JSON.stringify(value) !== JSON.stringify(usual[name]),
   );
   const settings = JSON.stringify(Object.fromEntries(chosen));
+  const way = asked(location.search);
   return make("iframe", {
     id: "live-face",
     title: "A live face",
     allow: "autoplay; microphone",
-    src: `/live/?embedded#${new URLSearchParams({ settings })}`,
+    src: `/live/?embedded${way ? `&graphics=${way}` : ""}#${new URLSearchParams({ settings })}`,
   });
 }
