@@ -9,10 +9,10 @@ import sys
 import urllib.request
 
 import pytest
+from tests.profiles import everyday
 
 from risorius.cli import run
 from risorius.web.listening import bound
-from tests.profiles import everyday
 
 
 def test_a_port_that_is_taken_is_named(capsys):
