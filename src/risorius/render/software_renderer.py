@@ -166,6 +166,11 @@ class SoftwareRenderer:
         """Height, width and channels of the pictures."""
         return (self.size[1], self.size[0], 3 if self._drawn is None else 4)
 
+    @property
+    def triangles_shown(self) -> Int32Array:
+        """The triangle that each sample (rows, columns) of the last picture shows, -1 for the background."""
+        return self._buffer.ids
+
     def render(
         self, frame: FaceFrame, out: ByteArray | None = None, suppression: Array | None = None
     ) -> ByteArray:
