@@ -37,7 +37,7 @@ from risorius.channels import ChannelInputs, compose
 from risorius.core.utterance import Utterance
 from risorius.rules.profiles import profile, profiles
 from risorius.script import read_script
-from risorius.speech import say
+from risorius.speech import synthesize_script
 
 BANDS = Path(__file__).parent / "bands.toml"
 SHUFFLES = 200
@@ -61,7 +61,7 @@ Why am I telling you this today? Because the harbour needs us again, and because
 
 def speech(minutes: float) -> Iterator[tuple[int, Utterance]]:
     """Yield stretches of speech of a minute or so, until there is enough."""
-    said = say(read_script(" ".join(TEXT.split()), text=True))
+    said = synthesize_script(read_script(" ".join(TEXT.split()), text=True))
     for seed in range(round(minutes * 60.0 / said.duration + 0.49)):
         yield seed, said
 

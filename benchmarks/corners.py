@@ -25,7 +25,7 @@ from risorius.face.lip_file import load_lip_rig
 from risorius.pipeline import compose
 from risorius.script import read_script
 from risorius.settings import Settings
-from risorius.speech import say
+from risorius.speech import synthesize_script
 
 SENTENCES = Path(__file__).with_name("lips_sentences.txt").read_text().splitlines()
 DISPLAYS = ("none", "anger", "disgust", "fear", "happiness", "sadness", "surprise")
@@ -79,7 +79,7 @@ def main() -> None:
     rig, settings = load_lip_rig(), Settings(seed=options.seed)
     for number, sentence in enumerate(SENTENCES[: options.sentences]):
         script = read_script(sentence, text=True)
-        utterance = say(script)
+        utterance = synthesize_script(script)
         for display, strength in product(options.displays, options.strengths):
             shown = () if display == "none" else (Display(display, strength),)
             plan = blend.Plan(compose(script, utterance, shown, settings), rig)

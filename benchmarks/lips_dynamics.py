@@ -32,7 +32,7 @@ from risorius.face.lip_file import load_lip_rig
 from risorius.pipeline import compose
 from risorius.script import read_script
 from risorius.settings import BlendChoices, Settings
-from risorius.speech import say
+from risorius.speech import synthesize_script
 
 SENTENCES = Path(__file__).with_name("lips_sentences.txt").read_text().splitlines()
 RATES = (110, 175, 250, 350)
@@ -88,7 +88,7 @@ class Said(NamedTuple):
 def spoken(sentence: str, rate: int, model: str) -> Said:
     """Return a sentence as our lips say it."""
     script = read_script(sentence, text=True)
-    utterance = say(script, rate=rate)
+    utterance = synthesize_script(script, rate=rate)
     settings = Settings(lively=False, blend=BlendChoices(lips=model))
     score = compose(script, utterance, (), settings)
     values = blend.at(score, np.arange(0.0, score.duration, STEP), load_lip_rig())

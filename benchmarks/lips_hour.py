@@ -30,7 +30,7 @@ from risorius.face.lip_file import load_lip_rig
 from risorius.pipeline import compose
 from risorius.script import read_script
 from risorius.settings import BlendChoices, Settings
-from risorius.speech import say
+from risorius.speech import synthesize_script
 
 FPS, AT_ONCE = 60, 3600
 TEXT = "My baby brother put the map by the beam. Five wolves swam over to the boat. Julia prefers popcorn."
@@ -39,7 +39,7 @@ TEXT = "My baby brother put the map by the beam. Five wolves swam over to the bo
 def spoken(seconds: float, model: str) -> Score:
     """Return the lips of the text, over and over."""
     script = read_script(TEXT, text=True)
-    utterance = say(script)
+    utterance = synthesize_script(script)
     once = compose(script, utterance, (), Settings(lively=False, blend=BlendChoices("graded", lips=model)))
     times = [k * once.duration for k in range(int(seconds / once.duration))]
     lips = tuple(replace(s, start=s.start + t, end=s.end + t) for t in times for s in once.lips)

@@ -22,7 +22,7 @@ from risorius.face.mouth import Mouth
 from risorius.face.solve import FaceSolver
 from risorius.script import read_script
 from risorius.settings import Settings
-from risorius.speech import say
+from risorius.speech import synthesize_script
 
 FPS = 100
 EMOTIONS = ("anger", "disgust", "fear", "happiness", "sadness", "surprise")
@@ -83,7 +83,7 @@ class Spoken:
     def of(cls, sentence: str, settings: Settings) -> Spoken:
         """Say a sentence and measure it."""
         script = read_script(sentence, text=True)
-        utterance = say(script, language=settings.language, rate=settings.rate)
+        utterance = synthesize_script(script, language=settings.language, rate=settings.rate)
         score = pipeline.compose(script, utterance, (), settings)
         times = np.arange(0.0, score.duration, 1.0 / FPS)
         values = blend.at(score, times, load_lip_rig())

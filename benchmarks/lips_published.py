@@ -30,7 +30,7 @@ from risorius.pipeline import compose
 from risorius.rules.lips import lip_table
 from risorius.script import read_script
 from risorius.settings import Settings
-from risorius.speech import say
+from risorius.speech import synthesize_script
 
 STOPS = (("p", "pcl"), ("b", "bcl"))
 SAID = "Put it on the map."
@@ -69,7 +69,7 @@ def vowels() -> Iterator[Row]:
 
 def prosody() -> Iterator[Row]:
     """Yield how far the jaw drops in "map" stressed, under focus and at the end of a phrase, to neither."""
-    utterance = say(read_script(SAID, text=True))
+    utterance = synthesize_script(read_script(SAID, text=True))
     number = next(k for k, s in enumerate(utterance.syllables) if s.stress > 0 and _has(utterance, s, "AE"))
     plain = tuple(replace(s, prominence=0.0) for s in utterance.syllables)
     bare = replace(utterance, accents=(), pauses=(), syllables=plain)

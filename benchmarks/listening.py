@@ -12,7 +12,7 @@ import sys
 import time
 import warnings
 
-from risorius.speech import synthesize
+from risorius.speech import synthesize_line
 from risorius.speech.alignment import align
 from risorius.speech.prosody import measured
 
@@ -24,7 +24,7 @@ MINUTES = (1, 5, 20)
 def measure(minutes: int) -> None:
     """Print the figures for one length; memory is that of this whole process."""
     text = SENTENCE * PER_MINUTE * minutes
-    audio = synthesize(text).audio
+    audio = synthesize_line(text).audio
     before = time.process_time()
     utterance = align(audio, text)
     between = time.process_time()

@@ -19,7 +19,7 @@ from risorius.api import speak
 from risorius.pipeline import combine, compose
 from risorius.script import read_script
 from risorius.settings import Settings
-from risorius.speech import say
+from risorius.speech import synthesize_script
 
 SENTENCE = "Oh, really? I like it very much. My baby brother put the map by the beam. "
 MINUTE = SENTENCE * 11
@@ -40,7 +40,7 @@ def planning() -> None:
     """Channels and combination, the speech being known."""
     settings = Settings()
     script = read_script(MINUTE, text=True)
-    utterance = say(script)
+    utterance = synthesize_script(script)
     seconds = best(lambda: combine(compose(script, utterance, (), settings), settings, utterance))
     print(f"planning: {utterance.duration / seconds:.0f}x real time ({utterance.duration:.0f} s of speech)")
 

@@ -25,7 +25,7 @@ from risorius.face.solve import FaceSolver
 from risorius.pipeline import compose
 from risorius.script import read_script
 from risorius.settings import Settings
-from risorius.speech import say
+from risorius.speech import synthesize_script
 
 FPS = Fraction(60)
 HELD_MM = 0.05
@@ -121,7 +121,7 @@ def cases(sentences: Iterable[str], emotion: str) -> list[Case]:
     found = []
     for sentence in sentences:
         script = read_script(sentence, text=True)
-        utterance = say(script)
+        utterance = synthesize_script(script)
         found.append(Case(utterance, compose(script, utterance, (Display(emotion, 1.0),), settings)))
     return found
 

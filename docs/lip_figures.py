@@ -39,7 +39,7 @@ from risorius.render.software_renderer import SoftwareRenderer
 from risorius.rules.lips import lip_table
 from risorius.script import read_script
 from risorius.settings import Settings
-from risorius.speech import say
+from risorius.speech import synthesize_script
 
 Array = npt.NDArray[np.float64]
 PICTURES = Path(__file__).parent / "pictures"
@@ -171,7 +171,7 @@ def posed(targets: Mapping[str, float]) -> Array:
 def spoken() -> tuple[Utterance, Score]:
     """Return the sentence, slowly, and its score without anything random."""
     script = read_script(SENTENCE, text=True)
-    utterance = say(script, rate=RATE)
+    utterance = synthesize_script(script, rate=RATE)
     return utterance, compose(script, utterance, (), Settings(lively=False))
 
 

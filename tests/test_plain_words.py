@@ -31,7 +31,6 @@ LATER = {
     "ports/video/slots.py",
     "speaking.py",
     "speech/recordings/film_worker.py",
-    "speech/synthesis.py",
 }
 
 

@@ -18,7 +18,7 @@ from .rules.profiles import attitude, profile_of
 from .rules.rule_set import emotions_of, rule_set_of
 from .script import Script
 from .settings import Settings
-from .speech import VOICE_SETTINGS, Input, SpokenBefore, feelings, hear, read, say
+from .speech import VOICE_SETTINGS, Input, SpokenBefore, feelings, hear, read, synthesize_script
 from .take import Take, lip_rig, with_profile
 from .unread import refuse_unread
 
@@ -43,7 +43,9 @@ def speak(
     """Speak a script with a synthesized voice, coloured by emotions; None if it says nothing."""
     felt = feelings(script, emotions) if settings.voice_emotion else ()
     voice = {name: getattr(settings, name) for name in VOICE_SETTINGS}
-    return say(script, felt=felt, progress=progress, before=before, **voice) if script.lines else None
+    if not script.lines:
+        return None
+    return synthesize_script(script, felt=felt, progress=progress, before=before, **voice)
 
 
 def compose(script: Script, utterance: Utterance | None, emotions: Displays, settings: Settings) -> Score:

@@ -23,7 +23,7 @@ from risorius.pipeline import compose
 from risorius.rules.lips import lip_table
 from risorius.script import read_script
 from risorius.settings import Settings
-from risorius.speech import say
+from risorius.speech import synthesize_script
 
 LINE = "*Sue* said six *wise* boys *push* *new* *maps* to *Boise* *zoo*."
 HELD = ("S", "Z", "SH", "P", "B", "M", "W", "UW")
@@ -31,7 +31,7 @@ HELD = ("S", "Z", "SH", "P", "B", "M", "W", "UW")
 
 def test_an_accent_opens_the_jaw_by_one_mechanism() -> None:
     script = read_script(LINE, text=True)
-    utterance, rig = say(script), load_lip_rig()
+    utterance, rig = synthesize_script(script), load_lip_rig()
     middles = np.array([(p.start + p.end) / 2.0 for p in utterance.phones if p.symbol in HELD])
     drops = []
     for without in ((), ("signals",)):
@@ -59,7 +59,7 @@ def test_the_glide_of_you_begins_its_vowel(utterance_of) -> None:
 
 def test_an_accent_hardly_opens_rounded_vowels() -> None:
     script = read_script("*Sue* saw *two* *new* *shoes*.", text=True)
-    utterance, rig = say(script), load_lip_rig()
+    utterance, rig = synthesize_script(script), load_lip_rig()
     middles = np.array([(p.start + p.end) / 2.0 for p in utterance.phones if p.symbol in ("UW", "AO")])
     gaps = []
     for without in ((), ("signals",)):
@@ -103,7 +103,7 @@ def test_arkit_puckers_closed_lips_and_funnels_open_ones() -> None:
 @pytest.mark.parametrize("text", [LINE, "The fox ran over the wooden fence and vanished."])
 def test_tongue_and_head_have_no_corners_in_speech(text: str) -> None:
     script = read_script(text, text=True)
-    plan = blend.Plan(compose(script, say(script), (), Settings(seed=1)), load_lip_rig())
+    plan = blend.Plan(compose(script, synthesize_script(script), (), Settings(seed=1)), load_lip_rig())
     names = ("tongue_up", "tongue_back", "tongue_out", "head_yaw", "head_roll", "head_pitch")
     _check_corners(plan, names)
 
@@ -118,7 +118,7 @@ def test_tongue_and_head_have_no_corners_in_speech(text: str) -> None:
 )
 def test_jaw_and_contacts_have_no_corners_in_speech(text: str) -> None:
     script = read_script(text, text=True)
-    plan = blend.Plan(compose(script, say(script), (), Settings(seed=1)), load_lip_rig())
+    plan = blend.Plan(compose(script, synthesize_script(script), (), Settings(seed=1)), load_lip_rig())
     _check_corners(plan, ("masseter", "lip_seal", "lip_tuck"))
 
 
@@ -136,7 +136,7 @@ def test_jaw_and_contacts_have_no_corners_under_a_display(shown: tuple[str, str]
     emotion, text = shown
     script = read_script(text, text=True)
     displays = (Display(emotion, 1.0),)
-    plan = blend.Plan(compose(script, say(script), displays, Settings(seed=2)), load_lip_rig())
+    plan = blend.Plan(compose(script, synthesize_script(script), displays, Settings(seed=2)), load_lip_rig())
     _check_corners(plan, ("masseter", "lip_seal"))
 
 
@@ -175,7 +175,7 @@ def _check_corners(plan: blend.Plan, names: tuple[str, ...]) -> None:
 def test_a_dropped_jaw_gives_way_to_rounded_lips() -> None:
     """Lips that reach for each other over a low jaw would hang: an M for an upper edge."""
     script = read_script("Who knew you would show up too?", text=True)
-    utterance = say(script)
+    utterance = synthesize_script(script)
     score = compose(script, utterance, (Display("surprise", 1.0),), Settings(seed=1))
     middles = np.array([(p.start + p.end) / 2.0 for p in utterance.phones if p.symbol in ("UW", "OW")])
     values = blend.at(score, middles, load_lip_rig())

@@ -59,13 +59,13 @@ def test_it_performs_as_here_and_says_what_is_wrong(process: PerformerProcess) -
 
 
 def test_a_turn_that_grows_is_spoken_only_where_it_has_grown(monkeypatch: pytest.MonkeyPatch) -> None:
-    spoken, speak = [], EspeakEngine.speak
+    spoken, speak = [], EspeakEngine.synthesize
 
     def counted(engine: EspeakEngine, request: SpeechRequest) -> Rendition:
         spoken.append(request.text.strip())
         return speak(engine, request)
 
-    monkeypatch.setattr(EspeakEngine, "speak", counted)
+    monkeypatch.setattr(EspeakEngine, "synthesize", counted)
     performer = LocalPerformer()
     for text in ("I like it. ", "I like it. Do you? ", "I like it. Do you? I do. "):
         grown = performer.text(text, (), CHOSEN)

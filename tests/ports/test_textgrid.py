@@ -13,7 +13,7 @@ from risorius.ports.textgrid import phone_label, write_textgrid
 from risorius.ports.writable import WritableTake, WriteOptions
 from risorius.script.textgrid import read_textgrid
 from risorius.speech.recordings.labelled import utterance_of_labels
-from risorius.speech.synthesis import synthesize
+from risorius.speech.synthesis import synthesize_line
 
 UtteranceMaker = Callable[..., Utterance]
 
@@ -57,7 +57,7 @@ def test_praatio_reads_all_tiers_without_gaps(
 def test_tones_stand_behind_their_vowels_and_are_read_back(
     tmp_path: Path, take_of: Callable[..., WritableTake]
 ) -> None:
-    said = synthesize("妈骂。", language="cmn")
+    said = synthesize_line("妈骂。", language="cmn")
     write_textgrid(take_of(utterance=said), tmp_path / "x.TextGrid", WriteOptions())
     grid = _read(tmp_path / "x.TextGrid")
     labels = [entry.label for entry in grid.getTier("phones").entries]

@@ -18,7 +18,7 @@ from risorius.rules.situation import Situation
 from risorius.rules.synchrony import MovementPhases, nearest, snapped, synchrony
 from risorius.rules.unit import Unit
 from risorius.rules.units import Units
-from risorius.speech.synthesis import synthesize
+from risorius.speech.synthesis import synthesize_line
 
 Maker = Callable[..., Utterance]
 NUMBERS = Counted(7)
@@ -268,7 +268,7 @@ def test_units_know_where_they_stand(sentence_of: Maker) -> None:
     ],
 )
 def test_voice_and_face_ask_alike(language: str, text: str, question: str, tones: str) -> None:
-    said = synthesize(text, language=language, tail=0.5)
+    said = synthesize_line(text, language=language, tail=0.5)
     assert [b.label for b in said.boundaries] == [tones]
     for level in (Level.UTTERANCE, Level.PAUSE, Level.WORD):
         rule = rule_of(f'level = "{level}"\nwhen = {{ question = ["{question}"] }}')

@@ -11,7 +11,7 @@ from risorius.script.bml_behaviours import BEHAVIOURS
 from risorius.script.bml_shapes import SHAPES
 from risorius.script.tree import ScriptWarning
 from risorius.settings import Settings
-from risorius.speech import say
+from risorius.speech import synthesize_script
 
 SPEECH = '<speech id="s"><text>Hello <sync id="t"/>there.</text></speech>'
 STILL = Settings(lively=False)
@@ -156,7 +156,7 @@ def test_a_container_gives_its_sync_points_to_what_it_holds() -> None:
 def test_speech_in_turn() -> None:
     first = '<speech id="a"><text>One.</text></speech>'
     second = '<speech id="b" start="a:end+1"><text>Two.</text></speech>'
-    said = say(parse_bml(f"<bml>{first}{second}</bml>"))
+    said = synthesize_script(parse_bml(f"<bml>{first}{second}</bml>"))
     assert said.words[1].start - said.words[0].end == pytest.approx(1.0, abs=0.06)
 
 

@@ -8,7 +8,7 @@ from risorius.core.manner import Manner
 from risorius.errors import RisoriusError, SpeechWarning
 from risorius.script.ssml import parse_ssml
 from risorius.script.tree import ScriptWarning
-from risorius.speech import say
+from risorius.speech import synthesize_script
 
 BAD = [
     ("<speak></speak>", "x.ssml:1:1: the text is empty"),
@@ -65,7 +65,7 @@ def test_faults_have_their_place(text: str, message: str) -> None:
 @pytest.mark.parametrize(("text", "message"), UNSPEAKABLE)
 def test_voices_that_are_not_there(text: str, message: str) -> None:
     with pytest.raises(RisoriusError, match=message):
-        say(parse_ssml(text, "x.ssml"))
+        synthesize_script(parse_ssml(text, "x.ssml"))
 
 
 @pytest.mark.parametrize(("inside", "message", "spoken"), REPORTED)
@@ -127,8 +127,8 @@ def test_ipa_keeps_stress_on_its_vowel() -> None:
 
 
 def test_what_is_asked_for_is_heard() -> None:
-    plain = say(parse_ssml("<speak>Julia prefers popcorn today.</speak>"))
-    asked = say(
+    plain = synthesize_script(parse_ssml("<speak>Julia prefers popcorn today.</speak>"))
+    asked = synthesize_script(
         parse_ssml(
             '<speak>Julia <break time="500ms"/> <prosody rate="50%">prefers</prosody>'
             ' <phoneme ph="ˈkæbɪdʒ">popcorn</phoneme> <emphasis>today</emphasis>.</speak>'
@@ -144,24 +144,26 @@ def test_what_is_asked_for_is_heard() -> None:
 
 
 def test_a_word_of_another_language_has_its_sounds() -> None:
-    said = say(parse_ssml('<speak>Guten <lang xml:lang="de">Weg</lang></speak>'))
+    said = synthesize_script(parse_ssml('<speak>Guten <lang xml:lang="de">Weg</lang></speak>'))
     way = said.words[1]
     assert said.phones[way.first_phone].symbol == "V"
 
 
 def test_a_break_at_the_end_is_kept() -> None:
-    plain, longer = (say(parse_ssml(f"<speak>Hello.{more}</speak>")) for more in ("", '<break time="1s"/>'))
+    plain, longer = (
+        synthesize_script(parse_ssml(f"<speak>Hello.{more}</speak>")) for more in ("", '<break time="1s"/>')
+    )
     assert longer.duration - plain.duration == pytest.approx(1.0, abs=0.35)
 
 
 def test_other_languages_say_that_they_take_no_phonemes() -> None:
     text = '<speak xml:lang="de">Guten <phoneme ph="taːk">Tag</phoneme></speak>'
     with pytest.warns(SpeechWarning, match=r"x\.ssml:1:28: only English voices take phonemes"):
-        said = say(parse_ssml(text, "x.ssml"))
+        said = synthesize_script(parse_ssml(text, "x.ssml"))
     assert said.words[1].text == "Tag"
 
 
 def test_another_voice_for_some_words() -> None:
-    said = say(parse_ssml("<speak>Can't <voice name=\"en-gb\">can't</voice>.</speak>"))
+    said = synthesize_script(parse_ssml("<speak>Can't <voice name=\"en-gb\">can't</voice>.</speak>"))
     vowels = [said.phones[w.first_phone + 1].symbol for w in said.words]
     assert vowels == ["AE", "AA"]

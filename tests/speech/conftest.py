@@ -10,7 +10,7 @@ import pytest
 
 import risorius.speech.engines.worker
 from risorius.core.utterance import Utterance
-from risorius.speech import synthesize
+from risorius.speech import synthesize_line
 from risorius.speech.engines.espeak import EspeakEngine
 
 FAKE = """
@@ -76,4 +76,4 @@ def misbehaving(tmp_path: Path) -> Callable[[str], Misbehaving]:
 @pytest.fixture(scope="session")
 def spoken_line() -> Utterance:
     """A line as espeak-ng says it."""
-    return synthesize("Oh, really? My baby brother put the big map by the beam.", lead=0.3, tail=0.3)
+    return synthesize_line("Oh, really? My baby brother put the big map by the beam.", lead=0.3, tail=0.3)

@@ -12,14 +12,14 @@ from risorius.rules.voice_emotion import voice_manner
 from risorius.script import read_script
 from risorius.script.markup import parse_markup
 from risorius.settings import Settings
-from risorius.speech import feelings, say
+from risorius.speech import feelings, synthesize_script
 
 TEXT = "Nobody ever told me. Nobody ever told me."
 
 
 def spoken(*displays: Display) -> Utterance:
     script = read_script(TEXT, text=True)
-    return say(script, felt=feelings(script, displays))
+    return synthesize_script(script, felt=feelings(script, displays))
 
 
 def loudness(said: Utterance, word: int) -> float:
@@ -74,7 +74,7 @@ def test_a_display_in_markup_changes_the_voice_from_its_word_on() -> None:
     plain, marked = (
         parse_markup(line + more) for more in ("", '<EMOTIONDISPLAY time="word:5" sadness="1" />')
     )
-    before, after = say(plain), say(marked, felt=feelings(marked, ()))
+    before, after = synthesize_script(plain), synthesize_script(marked, felt=feelings(marked, ()))
     assert after.words[2].end - after.words[2].start == pytest.approx(
         before.words[2].end - before.words[2].start, abs=0.02
     )

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from risorius.core.utterance import Utterance
 from risorius.script import read_script
-from risorius.speech import say
+from risorius.speech import synthesize_script
 
 from ..profiles import examples
 
@@ -36,7 +36,7 @@ SENTENCES = st.lists(
 
 @cache
 def spoken(text: str, language: str | None = None) -> Utterance:
-    return say(read_script(text, text=True), language=language)
+    return synthesize_script(read_script(text, text=True), language=language)
 
 
 def before(said: Utterance, limit: float) -> dict[str, Any]:

@@ -18,7 +18,7 @@ from risorius.core.worker_process import Answer, WorkerProcess
 from risorius.errors import InputError, ParameterError
 from risorius.languages import phonesets
 from risorius.speech.engines.espeak import EspeakEngine
-from risorius.speech.synthesis import synthesize
+from risorius.speech.synthesis import synthesize_line
 
 PIECES = """Oh, the of map really? I've $5.50 café “quoted” 12,345 in a.m. — Dr. Bob twelve e.g. wait...
 😀 up! so over-the-top www.a.com C++ (so) end; hour & 50% UPPER naïve привет"""
@@ -48,7 +48,7 @@ def words(said: Utterance) -> dict[str, str]:
 )
 def test_text_that_cannot_be_spoken(text, message) -> None:
     with pytest.raises(InputError, match=message):
-        synthesize(text)
+        synthesize_line(text)
 
 
 @pytest.mark.parametrize(
@@ -65,12 +65,12 @@ def test_text_that_cannot_be_spoken(text, message) -> None:
 )
 def test_numbers_out_of_range(options, message) -> None:
     with pytest.raises(ParameterError, match=message):
-        synthesize("Hello.", **options)
+        synthesize_line("Hello.", **options)
 
 
 @given(TEXTS)
 def test_the_laws_of_an_utterance(text) -> None:
-    said = synthesize(text, lead=0.2, tail=0.1)
+    said = synthesize_line(text, lead=0.2, tail=0.1)
     assert said.phones[0].start == 0.0
     assert said.phones[-1].end == said.audio.frames / said.audio.sample_rate
     assert all(a.end == b.start and a.start < a.end for a, b in pairwise(said.phones))
@@ -95,7 +95,7 @@ def test_the_laws_of_an_utterance(text) -> None:
 @pytest.mark.parametrize("voice", ["en-gb", "de", "fr", "cmn", "hi", "ja", "ru", "ar", "en-us+f2"])
 def test_other_voices_obey_them_too(voice, engine) -> None:
     text = "Hello 你好 नमस्ते привет مرحبا schön, ça va? 12 kg."
-    said = synthesize(text, voice=voice, engine=engine)
+    said = synthesize_line(text, voice=voice, engine=engine)
     assert all(text[word.source_start : word.source_end] == word.text for word in said.words)
     english = voice.startswith("en")
     assert all(phone.symbol in phonesets.ARPABET or not english for phone in said.phones if phone.symbol)
@@ -103,7 +103,7 @@ def test_other_voices_obey_them_too(voice, engine) -> None:
 
 
 def test_paper_a_demonstration(engine) -> None:
-    said = synthesize("Oh, really? I like it very much.", engine=engine)
+    said = synthesize_line("Oh, really? I like it very much.", engine=engine)
     assert words(said) == {
         "Oh": "OW",
         "really": "R IY AH L IY",
@@ -131,22 +131,22 @@ def test_paper_a_demonstration(engine) -> None:
     ],
 )
 def test_words_and_their_phones(text, expected, engine) -> None:
-    found = words(synthesize(text, engine=engine))
+    found = words(synthesize_line(text, engine=engine))
     assert {word: found.get(word) for word in expected} == expected
 
 
 def test_stress(engine) -> None:
-    said = synthesize("banana understand", engine=engine)
+    said = synthesize_line("banana understand", engine=engine)
     assert [phone.stress for phone in said.phones if phone.stress >= 0] == [0, 2, 0, 1, 0, 2]
 
 
 def test_a_full_stop_of_an_abbreviation_makes_no_pause(engine) -> None:
-    said = synthesize("Mr. Smith met Dr. Jones on Jan. 5 at 5 p.m. by car", engine=engine)
+    said = synthesize_line("Mr. Smith met Dr. Jones on Jan. 5 at 5 p.m. by car", engine=engine)
     assert said.pauses == ()
 
 
 def test_kinds_of_pauses_in_order(engine) -> None:
-    said = synthesize("Well, um, yes... No! Why? Because.\n\nSo", engine=engine, lead=0.2, tail=0.5)
+    said = synthesize_line("Well, um, yes... No! Why? Because.\n\nSo", engine=engine, lead=0.2, tail=0.5)
     assert [p.kind.value for p in said.pauses] == [
         "initial", "comma", "hesitation", "hesitation", "exclamation", "question", "full_stop", "final",
     ]  # fmt: skip
@@ -154,7 +154,7 @@ def test_kinds_of_pauses_in_order(engine) -> None:
 
 @pytest.mark.parametrize("rate", [None, 120, 350])
 def test_voiceless_stops_begin_with_their_silent_closure(rate, engine) -> None:
-    said = synthesize("A cat, a map, a puppet, a chicken, a rocket, a teapot.", rate=rate, engine=engine)
+    said = synthesize_line("A cat, a map, a puppet, a chicken, a rocket, a teapot.", rate=rate, engine=engine)
     stops = [
         (before, phone)
         for before, phone in pairwise(said.phones)
@@ -171,7 +171,7 @@ def test_voiceless_stops_begin_with_their_silent_closure(rate, engine) -> None:
 
 
 def test_vowels_after_nasals_begin_where_the_mouth_opens(engine) -> None:
-    said = synthesize("A map, a man, a mummy, my mother, mean mums, no one, nine names.", engine=engine)
+    said = synthesize_line("A map, a man, a mummy, my mother, mean mums, no one, nine names.", engine=engine)
     ratios = [
         loudness(said, vowel.start + 0.003) / loudness(said, vowel.start - 0.013)
         for nasal, vowel in pairwise(said.phones)
@@ -183,8 +183,8 @@ def test_vowels_after_nasals_begin_where_the_mouth_opens(engine) -> None:
 
 
 def test_lead_and_tail_shift_and_add_nothing_else(engine) -> None:
-    plain = synthesize("Hello there.", engine=engine)
-    padded = synthesize("Hello there.", lead=0.5, tail=0.7, engine=engine)
+    plain = synthesize_line("Hello there.", engine=engine)
+    padded = synthesize_line("Hello there.", lead=0.5, tail=0.7, engine=engine)
     lead = round(0.5 * plain.audio.sample_rate)
     assert padded.audio.frames == plain.audio.frames + lead + round(0.7 * plain.audio.sample_rate)
     assert np.array_equal(padded.audio.read(lead, plain.audio.frames), plain.audio.read())
@@ -197,11 +197,11 @@ def test_long_text_is_joined_without_a_seam(engine) -> None:
         "The quick brown fox jumps over the lazy dog, and Bob's mother puts the map by the big blue box. "
     )
     text = (sentence * 31)[:3000]
-    said = synthesize(text, engine=engine)
+    said = synthesize_line(text, engine=engine)
     assert len(said.words) == len(text.split())
     samples = said.audio.read().astype(int)
     steps = np.abs(np.diff(samples))
-    one = np.abs(np.diff(synthesize(sentence, engine=engine).audio.read().astype(int)))
+    one = np.abs(np.diff(synthesize_line(sentence, engine=engine).audio.read().astype(int)))
     assert steps.max() <= one.max() * 1.05
     ends = [p for p in said.pauses if p.kind is PauseKind.FULL_STOP]
     assert len(ends) == 30
@@ -216,20 +216,20 @@ def test_long_text_is_joined_without_a_seam(engine) -> None:
 
 def test_a_long_sentence_is_spoken_too(engine) -> None:
     text = "and then " * 150
-    said = synthesize(text, engine=engine)
+    said = synthesize_line(text, engine=engine)
     assert len(said.words) == 300
 
 
 def test_progress_is_told(engine) -> None:
     told: list[float] = []
-    synthesize("One. Two. Three. Four.", engine=engine, progress=told.append)
+    synthesize_line("One. Two. Three. Four.", engine=engine, progress=told.append)
     assert told == [0.25, 0.5, 0.75, 1.0]
 
 
 def test_same_arguments_same_bytes_in_every_process() -> None:
     program = (
-        "import hashlib; from risorius.speech.synthesis import synthesize;"
-        "u = synthesize('Oh, really? I like it very much. In the end, $5.50.', lead=0.5);"
+        "import hashlib; from risorius.speech.synthesis import synthesize_line;"
+        "u = synthesize_line('Oh, really? I like it very much. In the end, $5.50.', lead=0.5);"
         "said = repr((u.phones, u.words, u.pauses)).encode();"
         "print(hashlib.sha256(u.audio.read().tobytes() + said).hexdigest())"
     )
@@ -254,7 +254,7 @@ def test_a_first_text_starts_one_worker_and_asks_it_once_for_the_voices_and_for_
 
     monkeypatch.setattr(WorkerProcess, "request", noted)
     with EspeakEngine() as engine:
-        synthesize("Oh, really? I like it very much.", engine=engine)
+        synthesize_line("Oh, really? I like it very much.", engine=engine)
     assert [op for _, op in asked] == ["voices", "speak", "speak"]
     assert len({pid for pid, _ in asked}) == 1
 

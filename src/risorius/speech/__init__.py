@@ -4,9 +4,8 @@ from .affect import feelings
 from .engines.voices import voices
 from .from_recording import LabelledRecording, Recording, hear
 from .input import Input, read, read_transcript
-from .say import VOICE_SETTINGS, say
 from .spoken import SpokenBefore
-from .synthesis import synthesize
+from .synthesis import VOICE_SETTINGS, synthesize_line, synthesize_script
 
 __all__ = [
     "VOICE_SETTINGS",
@@ -18,7 +17,7 @@ __all__ = [
     "hear",
     "read",
     "read_transcript",
-    "say",
-    "synthesize",
+    "synthesize_line",
+    "synthesize_script",
     "voices",
 ]

@@ -24,6 +24,7 @@ from .recordings.recognition import recognize
 from .recordings.recording import read_recording
 from .recordings.tone_labels import tells_accents, tells_boundaries
 from .structure.accents import intone
+from .structure.lines import whole
 
 WEAKER = "there is no transcript: words are recognized from the sound, with errors; check them in a TextGrid"
 
@@ -140,7 +141,8 @@ def with_written_tones(utterance: Utterance, script: Script) -> Utterance:
     ends = [tone for line in script.lines for tone in line.directions.moved(line.source_offset).boundaries]
     if not accents and not ends:
         return utterance
-    return intone(utterance, Directions(accents=tuple(accents), boundaries=tuple(ends)))
+    tones = Directions(accents=tuple(accents), boundaries=tuple(ends))
+    return intone(utterance, (whole(utterance.text, utterance.phones, tones),))
 
 
 def _script_of(utterance: Utterance, source: str) -> Script:

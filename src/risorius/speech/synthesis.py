@@ -1,40 +1,92 @@
-"""From text to an Utterance with sound: spoken sentence by sentence and joined sample by sample."""
+"""From the lines of a script to one utterance: all are spoken first, then their phrases and accents found."""
 
 from __future__ import annotations
 
-from bisect import bisect_right
-from collections.abc import Callable, Iterator, MutableMapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
-from itertools import chain, pairwise
+from functools import partial
 
-from ..core.audio import AudioWriter
-from ..core.choices import RATES, SILENCES
-from ..core.directions import UNDIRECTED, DirectedSpan, Directions
+from ..core.choices import LEAD, RATES, SILENCES, TAIL
+from ..core.directions import UNDIRECTED, Directions
 from ..core.manner import PLAIN, Manner
+from ..core.progress import Progress, quiet
 from ..core.utterance import Utterance
-from ..errors import InputError, ParameterError, Place, SpeechWarning, warn
-from ..languages import Language, language_of
-from .assembly.assemble import SpokenPart, assemble, place, silence
-from .assembly.lengthen import scale_pauses
-from .assembly.retime import is_timed, retime
-from .engines.protocol import Rendition, SpeechEngine, SpeechRequest, Voice
-from .engines.registry import is_voice_file, load_engine, load_voice_file
+from ..errors import InputError, ParameterError, Place, SpeechError
+from ..script import Script
+from .affect import Feeling, coloured, common_manner, written_words
+from .assembly.assemble import Assembler, SpokenText
+from .engines.protocol import SpeechEngine
+from .engines.registry import is_voice_file
 from .engines.voices import find_voice
-from .structure.accents import intone
-from .structure.context import PlacedWord, context_of, raised
-from .structure.pauses import find_pauses
-from .structure.syllables import syllabify
-from .text.normalise import normalise, placed
-from .text.sentences import divide
-from .text.tokens import Token, is_speakable, tokenize, with_words
+from .prosody.measure import pitched
+from .prosody.pitch import measure_pitch
+from .speaker import KnownRenditions, Speaker, find_speaker
+from .spoken import SpokenBefore
+from .structure.build import build_utterance
+from .text.tokens import is_speakable
 
-KnownRenditions = MutableMapping[SpeechRequest, Rendition]
-"""What a voice has spoken, by what it was asked for."""
+VOICE_SETTINGS = ("voice", "language", "rate", "lead", "tail", "answers")
+"""The settings that `synthesize_script` takes, by name."""
 LONGEST_TEXT = 100_000
 LOWEST_PITCH, HIGHEST_PITCH = 0, 99
+_SEMITONES = 12.0
+# Characters of a line that takes so long to speak that the share that is done is told.
+_LONG = 1000
 
 
-def synthesize(
+def synthesize_script(
+    script: Script,
+    *,
+    voice: str | None = None,
+    language: str | None = None,
+    rate: int | None = None,
+    lead: float = LEAD,
+    tail: float = TAIL,
+    answers: str | None = None,
+    felt: Sequence[Feeling] = (),
+    progress: Progress = quiet,
+    before: SpokenBefore | None = None,
+) -> Utterance:
+    """Speak a script. `lead` and `tail` seconds of silence surround it unless its times are absolute.
+
+    Without `voice`, `language`, or else the script's, is spoken by its first voice, English if neither is
+    named. `answers`: the question that the first line answers, in place of the script's own. `felt`: emotions
+    that change the voice. `progress` is told when the voice is found and speaks, and how much of a long line
+    is spoken, in per cent. Speech from `before` is not spoken again; new speech is added to it.
+    Raises InputError, with the line's place, if a line starts before the one before it has ended;
+    SpeechError if the engine fails.
+    """
+    if answers:
+        script = _answering(script, answers)
+    code = language
+    if code is None and (voice is None or is_voice_file(voice)):
+        code = script.language
+    try:
+        if voice is None or not is_voice_file(voice):
+            find_voice(voice, code)
+        progress("Speaking …")
+        speaker = replace(
+            find_speaker(voice, code),
+            rate=rate,
+            spoken=None if before is None else before.renditions,
+            progress=partial(_tell, progress) if len(script.text) > _LONG else None,
+        )
+        manner = common_manner(felt)
+        silences = (0.0, 0.0) if script.timed else (lead, tail)
+        if manner is not None:
+            spoken = _speak(script, replace(speaker, manner=manner), silences)
+        else:
+            spoken = _speak_coloured(script, felt, speaker, silences)
+        measure = measure_pitch if before is None else before.pitch.measure
+        return pitched(_built(spoken, speaker), _pitch(speaker, manner), measure)
+    except SpeechError as error:
+        # The script is at fault only if it names the language itself.
+        named = code is not None and language is None
+        raise error.at(script.lines[0].place) if named else error from None
+
+
+def synthesize_line(
     text: str,
     *,
     voice: str | None = None,
@@ -54,7 +106,7 @@ def synthesize(
     `voice` is a name from `voices` (default `en-us`) or a voice's file; with `language` alone its first
     voice speaks. `rate` is in words per minute (`RATES`), `pitch` 0 to 99; None leaves the voice's own.
     `manner` changes the whole, `directions` parts of it. `progress` is told the share (0..1) that is done.
-    What is in `spoken` is not spoken again; what is spoken is added to it.
+    Requests in `spoken` are not spoken again; new renditions are added to it.
     Same arguments, same bytes.
 
     Raises InputError for text that is empty, has nothing to speak or is longer than 100,000 characters,
@@ -62,116 +114,90 @@ def synthesize(
     """
     _check_text(text)
     _check_numbers(rate, pitch, lead, tail)
-    engine, chosen = _voice(voice, language, engine)
-    tokens = with_words(tokenize(text), language_of(chosen.language).words)
-    if directions.answers and not directions.accents:
-        directions = _answering(text, tokens, directions, language_of(chosen.language))
-    request = SpeechRequest("", chosen, rate, pitch, manner=manner)
-    parts = _speak(text, request, directions, engine, progress, spoken)
-    first = next(parts)
-    with AudioWriter(first.rendition.sample_rate) as writer:
-        segments = silence(writer, lead)
-        for part in chain([first], parts):
-            segments += place(part, tokens, writer.frames, lambda words: engine.transcribe(words, chosen))
-            writer.append(part.rendition.samples)
-        segments += silence(writer, tail)
-        audio = writer.finish()
-    phones, words = assemble(segments, text, tokens, audio.sample_rate)
-    if not words:
-        raise InputError("nothing in the text can be spoken by this voice; expected words of its language")
-    if is_timed(directions):
-        _check_dictated(directions, chosen)
-        audio, phones, words = retime(audio, phones, words, directions)
-    syllables = syllabify(phones, words, language_of(chosen.language))
-    pauses = find_pauses(text, phones, words, language_of(chosen.language))
-    said = Utterance(text, chosen.language, audio, phones, words, syllables, pauses)
-    return intone(said, directions)
-
-
-def _answering(text: str, tokens: Sequence[Token], directions: Directions, language: Language) -> Directions:
-    """Return directions by which the voice raises what is new in an answer and lowers what is given."""
-    if not language.spaces:
-        raise InputError(f"questions are not compared in '{language.code}'; expected a language with blanks")
-    ends = [stretch.end for stretch in divide(text, language) if stretch.ends_sentence]
-    gaps = [text[a.end : b.start].strip() for a, b in pairwise(tokens)]
-    words = [
-        PlacedWord(token.text, bisect_right(ends, token.start), separated=bool(gap))
-        for token, gap in zip(tokens, ["", *gaps], strict=True)
-    ]
-    context = context_of(words, directions.answers, language)
-    pitch = raised(context, words, language)
-    here = Place("text")
-    spans = tuple(
-        DirectedSpan(tokens[i].start, tokens[i].end, here, Manner(pitch=pitch[i])) for i in sorted(pitch)
+    speaker = replace(
+        find_speaker(voice, language, engine),
+        rate=rate,
+        pitch=pitch,
+        manner=manner,
+        spoken=spoken,
+        progress=progress,
     )
-    return replace(directions, spans=(*spans, *directions.spans))
+    with Assembler() as assembler:
+        line = speaker.prepare(text, directions, silences=(lead, tail))
+        assembler.add(line, speaker.speak(line), speaker.transcribe)
+        return _built(assembler.finish(text), speaker)
 
 
-def voice_pitch(voice: str | None, language: str | None) -> float | None:
-    """Return the mean pitch in Hz of the voice that `synthesize` uses, None if it is not known."""
-    engine, chosen = _voice(voice, language, None)
-    return engine.mean_pitch(chosen)
+def _answering(script: Script, question: str) -> Script:
+    """Return a script whose first line answers a question; raise InputError if that has no words."""
+    if not is_speakable(question):
+        raise InputError(f"answers = {question!r} has no words; expected a question, e.g. 'Who is it?'")
+    first, *rest = script.lines
+    answer = replace(first, directions=replace(first.directions, answers=question))
+    return replace(script, lines=(answer, *rest))
 
 
-def voice_language(voice: str | None, language: str | None) -> Language:
-    """Return the language of the voice that `synthesize` uses."""
-    return language_of(_voice(voice, language, None)[1].language)
+def _tell(progress: Progress, share: float) -> None:
+    progress("Speaking …", round(100 * share), 100)
 
 
-def _voice(name: str | None, language: str | None, engine: SpeechEngine | None) -> tuple[SpeechEngine, Voice]:
-    if engine is None and name is not None and is_voice_file(name):
-        engine = load_voice_file(name, language)
-        return engine, engine.voices()[0]
-    engine = engine or load_engine()
-    return engine, find_voice(name, language, engine)
+def _speak_coloured(
+    script: Script, felt: Sequence[Feeling], speaker: Speaker, silences: tuple[float, float]
+) -> SpokenText:
+    """Speak a script with emotions that colour a part of it.
+
+    The edges of words are known before anything is spoken. A time counts in the plain voice, whose rate
+    emotions change: then the script is spoken plainly first, and its coloured parts once more.
+    """
+    if speaker.spoken is None:
+        speaker = replace(speaker, spoken={})
+    if all(feeling.by_words for feeling in felt):
+        words = written_words(script, speaker.language)
+        spoken = _speak(coloured(script, felt, words, words[-1].end if words else 0.0), speaker, silences)
+        if [word.source_start for word in spoken.words] == [word.source_start for word in words]:
+            return spoken
+        plain = spoken  # a word has no sound, and does not count
+    else:
+        plain = _speak(script, speaker, silences)
+    return _speak(coloured(script, felt, plain.words, plain.audio.duration), speaker, silences)
 
 
-def _check_dictated(directions: Directions, voice: Voice) -> None:
-    timed = next(span for span in directions.spans if span.seconds)
-    if not language_of(voice.language).mnemonics.dictated:
-        message = f"durations of phonemes in '{voice.language}'; expected an English voice for them"
-        raise InputError(message, timed.place)
+def _speak(script: Script, speaker: Speaker, silences: tuple[float, float]) -> SpokenText:
+    """Speak all lines, at their times, or in `silences`; raise errors of a line with its place."""
+    with Assembler() as assembler:
+        for line in script.lines:
+            with _at(line.place):
+                _check_text(line.text)
+                _check_numbers(speaker.rate, speaker.pitch, *silences)
+                prepared = speaker.prepare(
+                    line.text,
+                    line.directions,
+                    offset=line.source_offset,
+                    time=line.start if script.timed else None,
+                    gap=line.gap,
+                    silences=silences,
+                )
+                assembler.add(prepared, speaker.speak(prepared), speaker.transcribe)
+        return assembler.finish(script.text)
 
 
-def _speak(
-    text: str,
-    request: SpeechRequest,
-    directions: Directions,
-    engine: SpeechEngine,
-    progress: Callable[[float], None] | None,
-    known: KnownRenditions | None,
-) -> Iterator[SpokenPart]:
-    """Speak the stretches of `text` in the manner of `request`; warn of sounds that had to be guessed."""
-    language = language_of(request.voice.language)
-    stretches = divide(text, language)
-    guessed: dict[str, None] = {}
-    for number, stretch in enumerate(stretches):
-        spoken = normalise(text, stretch.start, stretch.end, language)
-        last = number + 1 == len(stretches)
-        stretch_request = replace(
-            request,
-            text=spoken.text,
-            end_pause=stretch.ends_sentence and not last,
-            directions=tuple(placed(directions, spoken, stretch.start, stretch.end, last=last)),
-        )
-        rendition = _rendition(engine, stretch_request, known)
-        part = SpokenPart(stretch, spoken, scale_pauses(rendition, request.manner.pauses))
-        guessed.update(dict.fromkeys(part.rendition.guessed))
-        yield part
-        if progress is not None:
-            progress((number + 1) / len(stretches))
-    if guessed:
-        names = ", ".join(f"'{name}'" for name in guessed)
-        warn(f"unknown phones are shown as the nearest class of phones: {names}", SpeechWarning)
+@contextmanager
+def _at(place: Place) -> Iterator[None]:
+    try:
+        yield
+    except InputError as error:
+        raise error.at(place) from None
 
 
-def _rendition(engine: SpeechEngine, request: SpeechRequest, known: KnownRenditions | None) -> Rendition:
-    """Return what is `known` of a request, or let the engine speak it and add it there."""
-    if known is None:
-        return engine.speak(request)
-    rendition = known.get(request) or engine.speak(request)
-    known[request] = rendition
-    return rendition
+def _built(spoken: SpokenText, speaker: Speaker) -> Utterance:
+    text, audio, phones, words, lines = spoken
+    return build_utterance(text, speaker.voice.language, audio, phones, words, lines)
+
+
+def _pitch(speaker: Speaker, manner: Manner | None) -> float | None:
+    """Return the mean pitch of the speech in Hz, None if that of the voice is not known."""
+    hertz, semitones = speaker.mean_pitch, 0.0 if manner is None else manner.pitch
+    return None if hertz is None else hertz * 2.0 ** (semitones / _SEMITONES)
 
 
 def _check_text(text: str) -> None:

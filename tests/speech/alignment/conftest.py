@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 
 from risorius.core.utterance import Utterance
-from risorius.speech import synthesize
+from risorius.speech import synthesize_line
 
 LINE = "My baby brother put the big map by the beam."
 
 
 @pytest.fixture(scope="session")
 def spoken() -> Utterance:
-    return synthesize(LINE, lead=0.3, tail=0.3)
+    return synthesize_line(LINE, lead=0.3, tail=0.3)

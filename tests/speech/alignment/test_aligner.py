@@ -12,7 +12,7 @@ import pytest
 from risorius.core.audio import Audio, AudioWriter
 from risorius.core.utterance import Utterance
 from risorius.errors import InputError, SpeechWarning
-from risorius.speech import synthesize
+from risorius.speech import synthesize_line
 from risorius.speech.alignment import align
 from risorius.speech.alignment.decoder import AlignedPhone
 from risorius.speech.alignment.doubt import check_words
@@ -93,7 +93,7 @@ def test_phones_are_where_espeak_says(spoken: Utterance) -> None:
 
 
 def test_two_threads_that_align_at_once_get_what_each_gets_alone(spoken: Utterance) -> None:
-    other = synthesize("I told you so.")
+    other = synthesize_line("I told you so.")
     expected = [quietly(said.audio, said.text).phones for said in (spoken, other)]
     with ThreadPoolExecutor(2) as threads:
         both = list(threads.map(lambda said: align(said.audio, said.text).phones, (spoken, other)))
@@ -120,7 +120,7 @@ def test_the_result_is_whole(spoken: Utterance) -> None:
     ],
 )
 def test_numbers_abbreviations_and_unknown_words_are_read(text: str) -> None:
-    said = synthesize(text, lead=0.2, tail=0.2)
+    said = synthesize_line(text, lead=0.2, tail=0.2)
     found = quietly(said.audio, text)
     assert [w.text for w in found.words] == [w.text for w in said.words]
     assert found.words[-1].end == pytest.approx(said.words[-1].end, abs=0.1)
@@ -144,7 +144,7 @@ def test_long_recordings_are_aligned_window_by_window() -> None:
     text = " ".join(
         f"Number {n} is here. My baby brother put the big map by the beam, I think." for n in range(14)
     )
-    said = synthesize(text)
+    said = synthesize_line(text)
     assert said.duration > 60
     found = quietly(said.audio, text)
     away = [abs(a.start - b.start) for a, b in zip(found.words, said.words, strict=True)]

@@ -16,7 +16,7 @@ from risorius.speech.alignment.aligner import owned
 from risorius.speech.alignment.decoder import AlignedPhone
 from risorius.speech.alignment.lexicon import OwnPhone, ScriptWord, read_transcript
 from risorius.speech.engines.voices import find_voice
-from risorius.speech.synthesis import synthesize
+from risorius.speech.synthesis import synthesize_line
 
 SENTENCES = {
     "de": "Ich habe gestern ein Buch gelesen.",
@@ -36,7 +36,7 @@ def symbols(utterance):  # type: ignore[no-untyped-def]
 @pytest.mark.parametrize("language", EVERY)
 def test_words_and_phones_are_where_the_voice_says_them(language: str) -> None:
     voice = f"{find_voice(None, language).name}+f3"
-    said = synthesize(SENTENCES[language], voice=voice, rate=150, lead=0.3, tail=0.3)
+    said = synthesize_line(SENTENCES[language], voice=voice, rate=150, lead=0.3, tail=0.3)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         found = align(said.audio, SENTENCES[language], language)

@@ -9,7 +9,7 @@ import pytest
 
 from risorius.core.arrays import Array
 from risorius.core.audio import AudioWriter
-from risorius.speech import synthesize
+from risorius.speech import synthesize_line
 from risorius.speech.alignment.aligner import refined
 from risorius.speech.alignment.decoder import AlignedPhone
 from risorius.speech.alignment.glottal import glottal_starts
@@ -80,7 +80,7 @@ def test_without_a_glottal_stop_an_edge_stays(
 
 
 def test_aligned_words_get_their_glottal_stops() -> None:
-    said = synthesize("Carry an oily rag.")
+    said = synthesize_line("Carry an oily rag.")
     cut, gap = said.words[2].start, 0.07
     samples, rate = said.audio.read(), said.audio.sample_rate
     at = round(cut * rate)

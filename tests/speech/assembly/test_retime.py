@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from tests.profiles import examples
 
 from risorius.script.utt import parse_utterance
-from risorius.speech import say
+from risorius.speech import synthesize_script
 from risorius.speech.assembly.stretch import stretch
 
 RATE = 22_050
@@ -18,7 +18,7 @@ TIMED = f"{PLAIN}\nphonemes: ({JULIA}) (_<250> {POPCORN})"
 
 
 def test_durations_hold_exactly() -> None:
-    said = say(parse_utterance(TIMED))
+    said = synthesize_script(parse_utterance(TIMED))
     words = [said.phones[w.first_phone : w.last_phone] for w in said.words]
     found = [[(p.symbol, round(1000 * p.duration)) for p in word] for word in words]
     assert found == [
@@ -30,7 +30,7 @@ def test_durations_hold_exactly() -> None:
 
 
 def test_the_sound_goes_with_the_phones() -> None:
-    said = say(parse_utterance(TIMED))
+    said = synthesize_script(parse_utterance(TIMED))
     sound = np.concatenate(list(said.audio.blocks())).astype(float)
 
     def power(symbol: str) -> float:
@@ -43,7 +43,10 @@ def test_the_sound_goes_with_the_phones() -> None:
 
 
 def test_without_durations_nothing_is_moved() -> None:
-    assert say(parse_utterance(PLAIN)).duration == say(parse_utterance(PLAIN + "\n")).duration
+    assert (
+        synthesize_script(parse_utterance(PLAIN)).duration
+        == synthesize_script(parse_utterance(PLAIN + "\n")).duration
+    )
 
 
 @examples(20)

@@ -15,11 +15,11 @@ from risorius.core.manner import Manner
 from risorius.errors import RisoriusError, SpeechWarning
 from risorius.rules.articulation import is_known
 from risorius.script import read_script
-from risorius.speech import say
+from risorius.speech import synthesize_script
 from risorius.speech.engines.protocol import SpeechEngine, SpeechRequest
 from risorius.speech.engines.registry import is_voice_file, load_engine, load_voice_file
 from risorius.speech.engines.voices import find_voice
-from risorius.speech.synthesis import synthesize
+from risorius.speech.synthesis import synthesize_line
 
 from . import voices
 
@@ -63,7 +63,7 @@ def any_engine(
 def test_the_contract(any_engine: SpeechEngine) -> None:
     voice = next(v for v in any_engine.voices() if v.language == "en-us")
     request = SpeechRequest(TEXT, voice)
-    said, again = any_engine.speak(request), any_engine.speak(request)
+    said, again = any_engine.synthesize(request), any_engine.synthesize(request)
     assert said.samples.dtype == np.int16
     assert np.array_equal(said.samples, again.samples)
     assert said.phones == again.phones
@@ -76,11 +76,11 @@ def test_the_contract(any_engine: SpeechEngine) -> None:
     words = any_engine.transcribe(["baby", "lemonade"], voice)
     assert [bool(phones) for phones in words] == [True, True]
     any_engine.close()
-    assert any_engine.speak(request).phones == said.phones
+    assert any_engine.synthesize(request).phones == said.phones
 
 
 def test_the_voice_is_heard_word_by_word(any_engine: SpeechEngine) -> None:
-    said = synthesize(
+    said = synthesize_line(
         TEXT, engine=any_engine, voice=any_engine.voices()[0].name if _is_file(any_engine) else None
     )
     assert [word.text for word in said.words] == TEXT.rstrip(".").split()
@@ -93,9 +93,9 @@ def _is_file(engine: SpeechEngine) -> bool:
 
 def test_phone_times_are_found_by_the_reference(tmp_path: Path) -> None:
     engine = load_voice_file(program(tmp_path, voices.MUTE_OF_TIMES))
-    found = engine.speak(SpeechRequest(TEXT, engine.voices()[0]))
+    found = engine.synthesize(SpeechRequest(TEXT, engine.voices()[0]))
     espeak = load_engine()
-    true = espeak.speak(SpeechRequest(TEXT, find_voice("en-us+m3", None, espeak), 150))
+    true = espeak.synthesize(SpeechRequest(TEXT, find_voice("en-us+m3", None, espeak), 150))
     assert [p.symbol for p in found.phones] == [p.symbol for p in true.phones]
     errors = [
         abs(a.start - b.start) / found.sample_rate for a, b in zip(found.phones, true.phones, strict=True)
@@ -108,7 +108,7 @@ def test_pipers_pace_follows_the_rate(tmp_path: Path, monkeypatch: pytest.Monkey
     monkeypatch.setenv("RISORIUS_PIPER", executable(tmp_path, voices.PIPER))
     engine = load_voice_file(piper_model(tmp_path))
     voice = engine.voices()[0]
-    usual, slow = (engine.speak(SpeechRequest(TEXT, voice, manner=Manner(rate=r))) for r in (1.0, 0.7))
+    usual, slow = (engine.synthesize(SpeechRequest(TEXT, voice, manner=Manner(rate=r))) for r in (1.0, 0.7))
     assert len(slow.samples) > 1.3 * len(usual.samples)
 
 
@@ -137,7 +137,7 @@ PHONES = [
 @pytest.mark.parametrize(("source", "message"), ANSWERS)
 def test_answers_that_are_none(source: str, message: str, tmp_path: Path) -> None:
     with pytest.raises(RisoriusError, match=message):
-        synthesize("Hello.", voice=program(tmp_path, source))
+        synthesize_line("Hello.", voice=program(tmp_path, source))
 
 
 @pytest.mark.parametrize(("phones", "message"), PHONES)
@@ -148,7 +148,7 @@ audio = base64.b64encode(bytes(16000)).decode()
 print('{{"sample_rate": 8000, "audio": "' + audio + '", "phones": {phones}}}')
 """
     with pytest.raises(RisoriusError, match=message):
-        synthesize("Hello.", voice=program(tmp_path, source))
+        synthesize_line("Hello.", voice=program(tmp_path, source))
 
 
 def test_voices_that_are_no_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -161,7 +161,7 @@ def test_voices_that_are_no_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
         (piper_model(tmp_path), "needs the program piper"),
     ):
         with pytest.raises(RisoriusError, match=message):
-            synthesize("Hello.", voice=name)
+            synthesize_line("Hello.", voice=name)
 
 
 @pytest.mark.parametrize(
@@ -176,16 +176,16 @@ def test_a_piper_model_without_its_description(
     if content is not None:
         (tmp_path / "x.onnx.json").write_text(content)
     with pytest.raises(RisoriusError, match=message):
-        synthesize("Hello.", voice=str(model))
+        synthesize_line("Hello.", voice=str(model))
 
 
 def test_what_a_program_cannot_do_is_said_once(tmp_path: Path) -> None:
     emphasised = read_script("I like *this*. And *that*.", text=True)
     with pytest.warns(SpeechWarning, match="does not follow breaks, emphasis and the like") as caught:
-        say(emphasised, voice=program(tmp_path, voices.BEEPER))
+        synthesize_script(emphasised, voice=program(tmp_path, voices.BEEPER))
     assert len(caught) == 1
 
 
 def test_espeaks_own_names_are_no_files() -> None:
     assert not is_voice_file("gmw/en-US")
-    assert synthesize("Hello.", voice="gmw/en-US").language == "en-us"
+    assert synthesize_line("Hello.", voice="gmw/en-US").language == "en-us"

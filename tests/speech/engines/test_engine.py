@@ -10,7 +10,7 @@ import pytest
 from risorius.errors import InputError, ParameterError, SpeechWarning
 from risorius.speech.engines.protocol import Rendition, SpeechRequest, SpokenPhone, Voice
 from risorius.speech.engines.registry import ENGINES, load_engine
-from risorius.speech.synthesis import synthesize
+from risorius.speech.synthesis import synthesize_line
 
 
 class Beeper:
@@ -21,7 +21,7 @@ class Beeper:
         self.guessed = guessed
         self.mute = mute
 
-    def speak(self, request: SpeechRequest) -> Rendition:
+    def synthesize(self, request: SpeechRequest) -> Rendition:
         words = [] if self.mute else request.text.split()
         phones, position = [], 0
         for index, word in enumerate(words):
@@ -50,7 +50,7 @@ def test_an_unknown_engine_is_reported_with_the_nearest() -> None:
 def test_another_engine_by_registration() -> None:
     ENGINES.register("beeper")(Beeper)
     try:
-        said = synthesize("Two words.", engine=load_engine("beeper"), lead=0.1)
+        said = synthesize_line("Two words.", engine=load_engine("beeper"), lead=0.1)
     finally:
         ENGINES.forget("beeper")
     assert said.audio.sample_rate == 8000
@@ -60,9 +60,9 @@ def test_another_engine_by_registration() -> None:
 
 def test_guessed_sounds_are_reported() -> None:
     with pytest.warns(SpeechWarning, match="nearest class of phones: 'ǁ'"):
-        synthesize("Word.", engine=Beeper(guessed=("ǁ",)))
+        synthesize_line("Word.", engine=Beeper(guessed=("ǁ",)))
 
 
 def test_an_engine_that_says_nothing() -> None:
     with pytest.raises(InputError, match="nothing in the text can be spoken by this voice"):
-        synthesize("Word.", engine=Beeper(mute=True))
+        synthesize_line("Word.", engine=Beeper(mute=True))

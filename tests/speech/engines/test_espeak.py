@@ -29,7 +29,7 @@ def test_a_worker_that_fails_twice_is_reported_and_not_tried_again(misbehaving, 
         EspeakEngine(worker.command) as engine,
         pytest.raises(SpeechError, match="failed twice in a row; the second time it ended without an answer"),
     ):
-        engine.speak(HELLO)
+        engine.synthesize(HELLO)
     assert worker.starts == 2
 
 
@@ -41,7 +41,7 @@ def test_a_worker_that_hangs_twice_is_reported_in_time(misbehaving, mode) -> Non
         EspeakEngine(worker.command, seconds=1.0, seconds_per_character=0) as engine,
         pytest.raises(SpeechError, match="no answer within"),
     ):
-        engine.speak(HELLO)
+        engine.synthesize(HELLO)
     assert time.monotonic() - began < 5
     assert worker.starts == 2
 
@@ -50,17 +50,17 @@ def test_a_worker_that_hangs_twice_is_reported_in_time(misbehaving, mode) -> Non
 def test_a_worker_that_fails_once_is_replaced_and_the_request_repeated(misbehaving, engine, mode) -> None:
     worker = misbehaving(mode)
     with EspeakEngine(worker.command, seconds=3.0) as replaced:
-        assert_same(replaced.speak(HELLO), engine.speak(HELLO))
+        assert_same(replaced.synthesize(HELLO), engine.synthesize(HELLO))
     assert worker.starts == 2
 
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGSTOP])
 def test_a_worker_that_is_killed_or_stopped_is_replaced(number: int) -> None:
     with EspeakEngine() as engine:
-        first = engine.speak(HELLO)
+        first = engine.synthesize(HELLO)
         pid = engine._worker.pid
         os.kill(pid, number)
-        assert_same(engine.speak(HELLO), first)
+        assert_same(engine.synthesize(HELLO), first)
         assert engine._worker.pid != pid
 
 
@@ -68,44 +68,44 @@ def test_the_timeout_grows_with_the_text(misbehaving) -> None:
     with EspeakEngine(misbehaving("hang").command, seconds=0.1, seconds_per_character=0.05) as engine:
         began = time.monotonic()
         with pytest.raises(SpeechError):
-            engine.speak(SpeechRequest("ten chars.", AMERICAN))
+            engine.synthesize(SpeechRequest("ten chars.", AMERICAN))
         assert time.monotonic() - began > 2 * (0.1 + 10 * 0.05)
 
 
 def test_an_error_that_the_worker_tells_is_no_reason_to_restart(engine) -> None:
     with pytest.raises(SpeechError, match="does not know the voice 'gmw/en-XX'"):
-        engine.speak(SpeechRequest("Hello.", Voice("x", ("en-us",), "", "", "gmw/en-XX")))
+        engine.synthesize(SpeechRequest("Hello.", Voice("x", ("en-us",), "", "", "gmw/en-XX")))
     pid = engine._worker.pid
-    engine.speak(HELLO)
+    engine.synthesize(HELLO)
     assert engine._worker.pid == pid
 
 
 def test_equal_requests_give_equal_bytes_within_and_across_processes(engine) -> None:
     request = SpeechRequest("She sells sea shells; the shells she sells are shells, I'm sure.", AMERICAN)
-    renditions = [engine.speak(request) for _ in range(3)]
-    engine.speak(HELLO)
-    renditions.append(engine.speak(request))
+    renditions = [engine.synthesize(request) for _ in range(3)]
+    engine.synthesize(HELLO)
+    renditions.append(engine.synthesize(request))
     with EspeakEngine() as other:
-        renditions.append(other.speak(request))
+        renditions.append(other.synthesize(request))
     for rendition in renditions[1:]:
         assert_same(rendition, renditions[0])
 
 
 def test_a_closed_engine_starts_again(engine) -> None:
     with EspeakEngine() as other:
-        other.speak(HELLO)
+        other.synthesize(HELLO)
         other.close()
         assert other._worker is None
-        assert_same(other.speak(HELLO), engine.speak(HELLO))
+        assert_same(other.synthesize(HELLO), engine.synthesize(HELLO))
 
 
 def test_threads_share_a_worker(engine) -> None:
     texts = ["One apple.", "Two pears.", "Three plums.", "Four figs."]
-    alone = [engine.speak(SpeechRequest(text, AMERICAN)) for text in texts]
+    alone = [engine.synthesize(SpeechRequest(text, AMERICAN)) for text in texts]
     together: dict[int, object] = {}
 
     def speak(index: int) -> None:
-        together[index] = engine.speak(SpeechRequest(texts[index % 4], AMERICAN))
+        together[index] = engine.synthesize(SpeechRequest(texts[index % 4], AMERICAN))
 
     threads = [threading.Thread(target=speak, args=(index,)) for index in range(12)]
     for thread in threads:
@@ -121,12 +121,12 @@ def test_a_forked_process_gets_a_worker_of_its_own() -> None:
     program = """if True:
         import os
         from risorius.speech.engines.registry import load_engine
-        from risorius.speech.synthesis import synthesize
-        said = synthesize("Hello there.").phones
+        from risorius.speech.synthesis import synthesize_line
+        said = synthesize_line("Hello there.").phones
         if not (child := os.fork()):
-            os._exit(0 if synthesize("Hello there.").phones == said else 1)
+            os._exit(0 if synthesize_line("Hello there.").phones == said else 1)
         assert os.waitpid(child, 0)[1] == 0
-        assert synthesize("Hello there.").phones == said
+        assert synthesize_line("Hello there.").phones == said
     """
     subprocess.run([sys.executable, "-W", "ignore", "-c", program], check=True, timeout=30)
 
@@ -147,9 +147,9 @@ def test_words_are_transcribed_one_by_one(engine) -> None:
 
 
 def test_rate_and_pitch_change_the_sound(engine) -> None:
-    usual = engine.speak(HELLO)
-    fast = engine.speak(SpeechRequest(HELLO.text, AMERICAN, rate=350))
-    high = engine.speak(SpeechRequest(HELLO.text, AMERICAN, pitch=90))
+    usual = engine.synthesize(HELLO)
+    fast = engine.synthesize(SpeechRequest(HELLO.text, AMERICAN, rate=350))
+    high = engine.synthesize(SpeechRequest(HELLO.text, AMERICAN, pitch=90))
     assert len(fast.samples) < 0.7 * len(usual.samples)
     assert [p.symbol for p in fast.phones] == [p.symbol for p in usual.phones]
     assert not np.array_equal(high.samples, usual.samples)

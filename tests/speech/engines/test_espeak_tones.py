@@ -7,7 +7,7 @@ import pytest
 from risorius.languages import language_of
 from risorius.speech.engines.espeak import EspeakEngine
 from risorius.speech.engines.espeak_tones import tones_of
-from risorius.speech.synthesis import synthesize
+from risorius.speech.synthesis import synthesize_line
 
 TONES = {"55": "˥", "35": "˧˥", "11": ""}
 
@@ -37,7 +37,7 @@ def test_tones_go_to_the_sounds_that_are_the_same(names: str, transcribed: str, 
     ],
 )
 def test_the_voices_tones(language: str, text: str, expected: list[str], engine: EspeakEngine) -> None:
-    said = synthesize(text, language=language, engine=engine)
+    said = synthesize_line(text, language=language, engine=engine)
     assert [phone.tone for phone in said.phones if phone.stress >= 0] == expected
     assert {phone.tone for phone in said.phones if phone.stress < 0} == {""}
 

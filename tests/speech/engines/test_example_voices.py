@@ -17,7 +17,7 @@ import pytest
 import soundfile
 
 from risorius.errors import SpeechError
-from risorius.speech.synthesis import synthesize
+from risorius.speech.synthesis import synthesize_line
 
 from . import voices
 
@@ -65,7 +65,7 @@ def service(monkeypatch: pytest.MonkeyPatch) -> Iterator[type[Service]]:
 
 def test_a_service_speaks(service: type[Service], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("VOICE_KEY", "secret")
-    said = synthesize(TEXT, voice=str(EXAMPLES / "service.py"), rate=350)
+    said = synthesize_line(TEXT, voice=str(EXAMPLES / "service.py"), rate=350)
     assert [word.text for word in said.words] == ["My", "brother's", "lemon", "please"]
     assert said.audio.duration == pytest.approx(1.0, abs=0.01)
     (asked,) = service.asked
@@ -75,7 +75,7 @@ def test_a_service_speaks(service: type[Service], monkeypatch: pytest.MonkeyPatc
 def test_a_service_that_fails_is_told(service: type[Service]) -> None:
     service.answer = b""
     with pytest.raises(SpeechError, match=r"/speech answered 503: no voice today"):
-        synthesize(TEXT, voice=str(EXAMPLES / "service.py"))
+        synthesize_line(TEXT, voice=str(EXAMPLES / "service.py"))
 
 
 @pytest.mark.parametrize(
@@ -104,16 +104,16 @@ def test_a_command_speaks(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> No
     )
     words = [sys.executable, "-c", f'"{copy}"', str(tmp_path / "voice.wav"), str(tmp_path / "text")]
     monkeypatch.setenv("VOICE_COMMAND", f"{' '.join(words)} {{file}} {{text}}")
-    said = synthesize(TEXT, voice=str(EXAMPLES / "command.py"))
+    said = synthesize_line(TEXT, voice=str(EXAMPLES / "command.py"))
     assert len(said.words) == 4
     assert (tmp_path / "text").read_text() == TEXT
     monkeypatch.delenv("VOICE_COMMAND")
     with pytest.raises(SpeechError, match="VOICE_COMMAND is not set"):
-        synthesize(TEXT, voice=str(EXAMPLES / "command.py"))
+        synthesize_line(TEXT, voice=str(EXAMPLES / "command.py"))
 
 
 def test_a_program_says_when_each_sound_begins() -> None:
-    said = synthesize("Hello there.", voice=str(EXAMPLES / "json_answer.py"))
+    said = synthesize_line("Hello there.", voice=str(EXAMPLES / "json_answer.py"))
     assert [(word.text, round(word.start, 2)) for word in said.words] == [("Hello", 0.0), ("there", 0.26)]
 
 
@@ -124,7 +124,7 @@ def test_a_program_may_print_a_sound_file_of_any_kind(tmp_path: Path) -> None:
         program.write_text(
             f"import sys; sys.stdout.buffer.write(open({str(tmp_path / 'voice')!r}, 'rb').read())"
         )
-        said = synthesize(TEXT, voice=str(program))
+        said = synthesize_line(TEXT, voice=str(program))
         assert said.audio.duration == pytest.approx(1.0, abs=0.1), form
         assert np.abs(said.audio.read().astype(int)).max() == pytest.approx(13_000, rel=0.1), form
 
@@ -137,7 +137,7 @@ def test_a_file_in_the_answer_needs_no_rate(tmp_path: Path) -> None:
         f"data = open({str(tmp_path / 'voice')!r}, 'rb').read()\n"
         "print(json.dumps({'audio': base64.b64encode(data).decode()}))"
     )
-    assert synthesize(TEXT, voice=str(program)).audio.sample_rate == 22_050
+    assert synthesize_line(TEXT, voice=str(program)).audio.sample_rate == 22_050
 
 
 def test_piper_speaks(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -148,4 +148,4 @@ def test_piper_speaks(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     model.write_bytes(b"")
     model.with_name(f"{model.name}.json").write_text('{"espeak": {"voice": "en-us"}}')
     monkeypatch.setenv("PATH", str(tmp_path))
-    assert len(synthesize(TEXT, voice=str(model)).words) == 4
+    assert len(synthesize_line(TEXT, voice=str(model)).words) == 4

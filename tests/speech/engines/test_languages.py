@@ -16,7 +16,7 @@ from risorius.speech.engines.espeak import EspeakEngine, _default_command
 from risorius.speech.engines.espeak_events import render
 from risorius.speech.engines.mnemonics import as_ipa
 from risorius.speech.engines.voices import find_voice
-from risorius.speech.synthesis import synthesize
+from risorius.speech.synthesis import synthesize_line
 
 # Pangrams and the like: sentences rich in sounds.
 TEXTS = {
@@ -52,7 +52,7 @@ def test_spellings_become_ipa(name: str, language: str, ipa: str) -> None:
 def test_real_texts_have_no_unknown_sound(language: str, engine: EspeakEngine) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error", SpeechWarning)
-        said = synthesize(TEXTS[language], language=language, engine=engine)
+        said = synthesize_line(TEXTS[language], language=language, engine=engine)
     symbols = {phone.symbol for phone in said.phones} - {""}
     assert len(symbols) > 15
     assert [symbol for symbol in symbols if not is_known(symbol)] == []
@@ -77,7 +77,7 @@ def test_every_phoneme_of_the_language_has_lips(language: str, engine: EspeakEng
 def test_an_unmapped_phone_is_warned_of(engine: EspeakEngine, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("risorius.speech.engines.espeak_events.is_known", lambda symbol: symbol != "ʃ")
     with pytest.warns(SpeechWarning, match="'ʃ'"):
-        synthesize("Schön.", language="de", engine=engine)
+        synthesize_line("Schön.", language="de", engine=engine)
 
 
 def _inventory(language: str) -> set[str]:

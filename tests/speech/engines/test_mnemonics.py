@@ -68,7 +68,7 @@ def test_mnemonics_by_what_follows(name, following, expected) -> None:
 
 
 def test_every_sound_of_american_english_is_in_the_table(engine) -> None:
-    rendition = engine.speak(SpeechRequest(EVERY_SOUND, find_voice("en-us", engine=engine)))
+    rendition = engine.synthesize(SpeechRequest(EVERY_SOUND, find_voice("en-us", engine=engine)))
     assert rendition.guessed == ()
     assert {phone.symbol for phone in rendition.phones} - {""} == ARPABET
 

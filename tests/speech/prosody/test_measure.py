@@ -9,7 +9,7 @@ import pytest
 
 from risorius.core.audio import AudioWriter
 from risorius.core.utterance import Pause, PauseKind, Phone, Utterance, Word
-from risorius.speech import synthesize
+from risorius.speech import synthesize_line
 from risorius.speech.prosody import measured
 from risorius.speech.prosody.measure import pitched
 from risorius.speech.structure.phrases import with_phrases
@@ -22,7 +22,7 @@ TEXT = (
 
 @pytest.fixture(scope="module")
 def spoken() -> Utterance:
-    return synthesize(TEXT, lead=0.3, tail=0.3)
+    return synthesize_line(TEXT, lead=0.3, tail=0.3)
 
 
 def cut(said: Utterance, words: int) -> Utterance:

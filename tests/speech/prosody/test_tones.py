@@ -9,7 +9,7 @@ from risorius.core.audio import AudioWriter
 from risorius.core.tobi import BOUNDARY_TONES, PITCH_ACCENTS
 from risorius.core.utterance import Phone, Syllable, Utterance, Word
 from risorius.languages import language_of
-from risorius.speech import synthesize
+from risorius.speech import synthesize_line
 from risorius.speech.prosody import measured, speech_rate
 from risorius.speech.structure.pauses import find_pauses
 from risorius.speech.structure.syllables import syllabify
@@ -105,7 +105,7 @@ def test_loud_and_long_syllables_stand_out() -> None:
 
 def test_prominences_are_standard_deviations() -> None:
     text = "I like it very much. My baby brother put the big map by the beam. Nobody drank it. " * 4
-    values = np.array([s.prominence for s in measured(synthesize(text)).syllables])
+    values = np.array([s.prominence for s in measured(synthesize_line(text)).syllables])
     assert values.mean() == pytest.approx(0.0, abs=0.1)
     assert values.std() == pytest.approx(1.0, abs=0.1)
 

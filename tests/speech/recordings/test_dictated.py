@@ -10,7 +10,7 @@ from risorius.core.directions import Break, DirectedSpan, Directions
 from risorius.core.utterance import PauseKind
 from risorius.errors import InputError, Place, SpeechWarning
 from risorius.script import read_script
-from risorius.speech import Recording, hear, say
+from risorius.speech import Recording, hear, synthesize_script
 from risorius.speech.recordings.dictated import utterance_dictated
 
 PLACE = Place("x.utt", 2, 5)
@@ -45,7 +45,7 @@ def test_a_recording_that_is_too_short_is_refused() -> None:
 
 def test_the_file_s_own_timing_is_kept_with_its_recording(tmp_path: Path) -> None:
     script = read_script("examples/05-timed.utt")
-    spoken = say(script)
+    spoken = synthesize_script(script)
     wav = tmp_path / "x.wav"
     risorius.speak("examples/05-timed.utt").write(wav)
     _, heard = hear(Recording(wav, None, script))

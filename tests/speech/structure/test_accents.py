@@ -10,14 +10,14 @@ from risorius.core.directions import UNDIRECTED, DirectedSpan, Directions, Empha
 from risorius.core.tobi import BOUNDARY_TONES, PITCH_ACCENTS
 from risorius.errors import Place
 from risorius.rules.voice_emotion import voice_manner
-from risorius.speech.synthesis import synthesize
+from risorius.speech.synthesis import synthesize_line
 
 HERE = Place("text", 1, 1)
 
 
 def accented(text: str, engine) -> list[str]:
     """Return the accented words, nuclei in capitals."""
-    said = synthesize(text, engine=engine)
+    said = synthesize_line(text, engine=engine)
     return [
         said.words[a.word].text.upper() if a.nuclear else said.words[a.word].text.lower()
         for a in said.accents
@@ -37,7 +37,7 @@ def test_cases(text, expected, engine) -> None:
 
 
 def test_a_phrase_without_content_words_has_an_accent_all_the_same(engine) -> None:
-    said = synthesize("Is it?", engine=engine)
+    said = synthesize_line("Is it?", engine=engine)
     assert [(a.nuclear, a.label, a.confidence) for a in said.accents] == [(True, "L*", 0.45)]
 
 
@@ -46,7 +46,7 @@ WORDS = st.sampled_from(["map,", "the", "Bob.", "of", "banana", "is;", "really?"
 
 @given(st.lists(WORDS, min_size=1, max_size=10))
 def test_accents_are_in_order_inside_their_syllables(words) -> None:
-    said = synthesize(" ".join(words))
+    said = synthesize_line(" ".join(words))
     assert [a.time for a in said.accents] == sorted(a.time for a in said.accents)
     for accent in said.accents:
         syllable = said.syllables[accent.syllable]
@@ -62,7 +62,7 @@ def test_accents_are_in_order_inside_their_syllables(words) -> None:
 
 def tune(text: str, directions: Directions = UNDIRECTED, language: str | None = None) -> str:
     """Return a text's tones: words in brackets by phrase, each with its accent, then the boundary."""
-    said = synthesize(text, directions=directions, language=language)
+    said = synthesize_line(text, directions=directions, language=language)
     accents = {a.word: f"/{a.label}" for a in said.accents}
     ends = {b.word: f" {b.label})" for b in said.boundaries}
     starts = {0, *(b.word + 1 for b in said.boundaries)}
@@ -119,14 +119,14 @@ def test_tones_by_hand_stand_and_the_rules_fill_other_phrases() -> None:
     assert tune("Julia prefers popcorn. Bob ran.", directions) == (
         "(julia/L+H* prefers L-H%) (popcorn/H* L-L%) (bob/H* ran/H* L-L%)"
     )
-    said = synthesize("Julia prefers popcorn.", directions=directions)
+    said = synthesize_line("Julia prefers popcorn.", directions=directions)
     assert [(a.nuclear, a.confidence) for a in said.accents] == [(True, 1.0), (True, 1.0)]
 
 
 @pytest.mark.parametrize("emotion", ["anger", "disgust", "fear", "happiness", "sadness", "surprise"])
 @pytest.mark.parametrize("text", ["I told you so, my friend. Nobody wanted lemonade!", "Is it you, really?"])
 def test_emotion_changes_the_voice_but_no_accent(emotion: str, text: str) -> None:
-    plain, moved = synthesize(text), synthesize(text, manner=voice_manner({emotion: 1.0}))
+    plain, moved = synthesize_line(text), synthesize_line(text, manner=voice_manner({emotion: 1.0}))
     assert moved.duration != plain.duration
     assert [(a.word, a.syllable, a.label) for a in moved.accents] == [
         (a.word, a.syllable, a.label) for a in plain.accents

@@ -11,13 +11,13 @@ from risorius.core.directions import Directions
 from risorius.errors import InputError, SpeechWarning
 from risorius.languages import language_of
 from risorius.script import parse_script
-from risorius.speech import say
-from risorius.speech.synthesis import synthesize
+from risorius.speech import synthesize_script
+from risorius.speech.synthesis import synthesize_line
 
 
 def toned(text: str, question: str = "", language: str = "en-us") -> str:
     """Return the words of a text with their accents and boundaries, the nuclei in capitals."""
-    said = synthesize(text, language=language, directions=Directions(answers=question))
+    said = synthesize_line(text, language=language, directions=Directions(answers=question))
     accents, ends = {a.word: a for a in said.accents}, {b.word: b.label for b in said.boundaries}
     words = []
     for index, word in enumerate(said.words):
@@ -97,7 +97,7 @@ def test_a_word_is_given_for_three_sentences() -> None:
     ],
 )
 def test_contrasts_in_so_many_words_are_accented_as_such(text: str, contrasted: set[str]) -> None:
-    said = synthesize(text)
+    said = synthesize_line(text)
     assert {said.words[a.word].text for a in said.accents if a.label == "L+H*"} == contrasted
 
 
@@ -126,7 +126,7 @@ def test_forms_of_a_word_have_one_stem(one: str, other: str) -> None:
 
 def test_the_voice_raises_what_is_new() -> None:
     def pitch(question: str) -> list[float]:
-        said = say(parse_script("Julia prefers popcorn.", ".txt"), answers=question)
+        said = synthesize_script(parse_script("Julia prefers popcorn.", ".txt"), answers=question)
         heights = [(s.word, s.pitch) for s in said.syllables]
         return [max(p for w, p in heights if w == word) for word in range(3)]
 
@@ -140,7 +140,7 @@ def test_an_utterance_file_names_the_question() -> None:
     head = "answers: What does Julia prefer?\ntext: Julia prefers popcorn\n"
     script = parse_script(head, ".utt")
     assert script.lines[0].directions.answers == "What does Julia prefer?"
-    said = say(script)
+    said = synthesize_script(script)
     assert [said.words[a.word].text for a in said.accents] == ["popcorn"]
 
 
@@ -154,6 +154,6 @@ def test_with_a_recording_the_question_of_a_file_is_not_read(tmp_path: Path) -> 
 
 def test_what_is_no_question_is_refused() -> None:
     with pytest.raises(InputError, match="has no words"):
-        say(parse_script("Julia.", ".txt"), answers="?!")
+        synthesize_script(parse_script("Julia.", ".txt"), answers="?!")
     with pytest.raises(InputError, match="not compared in 'cmn'"):
-        synthesize("我喜欢茶。", language="cmn", directions=Directions(answers="你喜欢什么?"))
+        synthesize_line("我喜欢茶。", language="cmn", directions=Directions(answers="你喜欢什么?"))

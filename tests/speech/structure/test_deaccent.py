@@ -6,13 +6,13 @@ import pytest
 
 from risorius.languages import language_of, languages, plain_word
 from risorius.script import read_script
-from risorius.speech import say
-from risorius.speech.synthesis import synthesize
+from risorius.speech import synthesize_script
+from risorius.speech.synthesis import synthesize_line
 
 
 def accented(text: str, language: str, engine) -> list[str]:  # type: ignore[no-untyped-def]
     """Return the accented words, nuclei in capitals."""
-    said = synthesize(text, language=language, engine=engine)
+    said = synthesize_line(text, language=language, engine=engine)
     words = [(said.words[a.word].text, a.nuclear) for a in said.accents]
     return [word.upper() if nuclear else word.lower() for word, nuclear in words]
 
@@ -42,7 +42,7 @@ def test_cases(language: str, text: str, expected: list[str], engine) -> None:  
 
 
 def test_who_emphasises_a_word_is_heeded() -> None:
-    said = say(read_script("Ich will Käse *kaufen*.", text=True), language="de")
+    said = synthesize_script(read_script("Ich will Käse *kaufen*.", text=True), language="de")
     assert [(said.words[a.word].text, a.nuclear) for a in said.accents][-1] == ("kaufen", True)
 
 

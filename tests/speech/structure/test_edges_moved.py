@@ -7,13 +7,13 @@ from itertools import pairwise
 import pytest
 
 from risorius.errors import InputError, SpeechWarning
-from risorius.speech import synthesize
+from risorius.speech import synthesize_line
 from risorius.speech.structure.edges_moved import SHORTEST, edge_of, with_edges
 
 
 @pytest.fixture(scope="module")
 def said():
-    return synthesize("I like it, like you.", lead=0.2, tail=0.2)
+    return synthesize_line("I like it, like you.", lead=0.2, tail=0.2)
 
 
 def test_what_has_no_edge_is_refused(said):
@@ -39,13 +39,13 @@ def test_times_follow_the_phone_that_is_moved_and_no_other(said):
 def test_an_edge_is_found_again_at_the_same_word_of_another_line(said):
     second = [word for word in said.words if word.text == "like"][1]
     shift = edge_of(said, second.first_phone, -0.02)
-    other = synthesize("Now I like it, like you.", lead=0.2, tail=0.2)
+    other = synthesize_line("Now I like it, like you.", lead=0.2, tail=0.2)
     again = [word for word in with_edges(other, [shift]).words if word.text == "like"]
     plain = [word for word in other.words if word.text == "like"]
     assert again[1].start == pytest.approx(plain[1].start - 0.02)
     assert again[0] == plain[0]
     with pytest.warns(SpeechWarning, match="like"):
-        assert with_edges(synthesize("I like it."), [shift]).words
+        assert with_edges(synthesize_line("I like it."), [shift]).words
 
 
 def test_phones_keep_from_each_other_however_far_one_is_moved(said):

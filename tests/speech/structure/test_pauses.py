@@ -6,6 +6,7 @@ import pytest
 
 from risorius.core.utterance import PauseKind, Phone, Word
 from risorius.languages import language_of
+from risorius.speech.structure.lines import TextLine
 from risorius.speech.structure.pauses import find_pauses, punctuation_kind
 
 K = PauseKind
@@ -84,3 +85,35 @@ def test_fillers_hesitate() -> None:
 def test_silence_inside_a_word_is_no_pause() -> None:
     phones = [Phone("AA", 0.0, 0.1, 0, 0), Phone("", 0.1, 0.4), Phone("AA", 0.4, 0.5, 0, 0)]
     assert find_pauses("one", phones, [Word("one", 0.0, 0.5, 0, 3, 0, 3)], language_of("en")) == ()
+
+
+@pytest.mark.parametrize(
+    ("text", "edges", "kinds"),
+    [
+        ("one\ntwo", (2, 3), [K.INITIAL, K.FULL_STOP]),
+        ("one?\ntwo", (2, 3), [K.INITIAL, K.FULL_STOP]),
+        ("one?\ntwo", (3, 3), [K.INITIAL, K.QUESTION]),
+        ("one\ntwo?", (3, 3), [K.INITIAL, K.FULL_STOP]),
+        ("um,\ntwo", (3, 3), [K.INITIAL, K.COMMA]),
+    ],
+)
+def test_all_silence_between_two_lines_is_one_pause(text, edges, kinds) -> None:
+    """The first line has the phones before the first edge, the second line those from the second edge on."""
+    symbols = [("", -1), ("AA", 0), ("", -1), ("", -1), ("AA", 1)]
+    phones = [Phone(s, i, i + 1, 0 if s else -1, word) for i, (s, word) in enumerate(symbols)]
+    cut = text.index("\n")
+    length = len(text[:cut].strip(",?"))
+    words = [Word(text[:length], 1, 2, 1, 2, 0, length), Word("two", 4, 5, 4, 5, cut + 1, cut + 4)]
+    lines = [TextLine(range(edges[0]), range(cut)), TextLine(range(edges[1], 5), range(cut + 1, len(text)))]
+    found = find_pauses(text, phones, words, language_of("en"), lines)
+    assert [p.kind for p in found] == kinds
+    assert [(p.start, p.end) for p in found] == [(0, 1), (2, 4)]
+
+
+def test_silence_before_the_first_of_two_lines_is_initial() -> None:
+    symbols = [("", -1), ("", -1), ("AA", 0), ("", -1), ("AA", 1)]
+    phones = [Phone(s, i, i + 1, 0 if s else -1, word) for i, (s, word) in enumerate(symbols)]
+    words = [Word("a", 2, 3, 2, 3, 0, 1), Word("b", 4, 5, 4, 5, 2, 3)]
+    lines = [TextLine(range(1, 3), range(1)), TextLine(range(4, 5), range(2, 3))]
+    found = find_pauses("a\nb", phones, words, language_of("en"), lines)
+    assert [(p.start, p.end, p.kind) for p in found] == [(0, 2, K.INITIAL), (3, 4, K.FULL_STOP)]

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from risorius.core.utterance import Boundary, Ending, Phrase, Question, Utterance
 from risorius.speech.structure.phrases import find_phrases, with_phrases
-from risorius.speech.synthesis import synthesize
+from risorius.speech.synthesis import synthesize_line
 
 Maker = Callable[..., Utterance]
 
@@ -33,7 +33,7 @@ def test_nothing_said_has_no_phrases(utterance_of: Maker) -> None:
 def test_phrases_are_the_words_in_order_and_sentences_are_phrases(tokens: list[str]) -> None:
     if not any(token.strip("…,.?") for token in tokens):
         return
-    said = synthesize(" ".join(tokens))
+    said = synthesize_line(" ".join(tokens))
     assert [p.first_word for p in said.phrases] == [0, *(p.last_word for p in said.phrases[:-1])]
     assert said.phrases[-1].last_word == len(said.words)
     assert all(b.sentence - a.sentence in (0, 1) for a, b in pairwise(said.phrases))
@@ -94,7 +94,7 @@ def test_a_clause_begins_a_phrase_without_a_pause_if_wanted(sentence_of: Maker) 
 
 
 def test_an_abbreviation_ends_no_sentence() -> None:
-    said = synthesize("What does Dr. Smith want? Is Dr. Smith in?")
+    said = synthesize_line("What does Dr. Smith want? Is Dr. Smith in?")
     assert [(s.first_word, s.question) for s in said.sentences] == [(0, WH), (5, YES_NO)]
 
 

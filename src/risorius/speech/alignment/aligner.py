@@ -15,11 +15,9 @@ from ...core.audio import Audio
 from ...core.progress import Progress, quiet
 from ...core.utterance import SILENCE, Phone, Utterance, Word
 from ...errors import InputError
-from ...languages import language_of, phonesets
+from ...languages import phonesets
 from ..recordings.resampled import Resampled
-from ..structure.accents import intone
-from ..structure.pauses import find_pauses
-from ..structure.syllables import syllabify
+from ..structure.build import build_utterance
 from .decoder import MODEL_LANGUAGE, AlignedPhone, AlignmentError, Decoders, Readings, with_decoders
 from .doubt import check_words, mean_score
 from .edges import place_edges
@@ -106,10 +104,7 @@ def assembled(
     `code` is the language of the words.
     """
     phones, timed = _timed(aligned, words, audio.duration)
-    language = language_of(code)
-    syllables = syllabify(phones, timed, language)
-    pauses = find_pauses(text, phones, timed, language)
-    return intone(Utterance(text, code, audio, phones, timed, syllables, pauses))
+    return build_utterance(text, code, audio, phones, timed)
 
 
 def decoded(

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from ...core.utterance import Utterance, Word
 from ...languages import language_of, phonesets
-from ..synthesis import synthesize
+from ..synthesis import synthesize_line
 from .decoder import MODEL_LANGUAGE, Reading, Readings, dictionary_path
 
 MOST_READINGS = 8
@@ -46,7 +46,7 @@ def read_transcript(text: str, language: str | None = None) -> tuple[Utterance, 
     `language` is that of the words, the model's by default. The phones of another one are read as the nearest
     of the model's.
     """
-    spoken = synthesize(text, language=language)
+    spoken = synthesize_line(text, language=language)
     read = _script_word if language_of(spoken.language).arpabet else _foreign_word
     return spoken, tuple(read(spoken, word) for word in spoken.words)
 

@@ -1,20 +1,33 @@
-"""Putting spoken stretches together: segments of one utterance, then its phones and words."""
+"""Putting spoken lines together: the sound of all, and their segments, from which phones and words are made
+once.
+"""
 
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from contextlib import ExitStack
+from itertools import chain
 from typing import NamedTuple
 
-from ...core.audio import AudioWriter
+import numpy as np
+
+from ...core.audio import Audio, AudioWriter, Samples
+from ...core.directions import Directions
 from ...core.utterance import SILENCE, Phone, Word
+from ...errors import InputError
 from ..engines.protocol import Rendition
+from ..structure.lines import TextLine
 from ..structure.pauses import punctuation_kind
 from ..text.normalise import NormalisedText
 from ..text.sentences import TextStretch
 from ..text.tokens import Token
+from .retime import is_timed, retime
 from .timing import NO_TOKEN, Segment, settle
 from .words import Transcriber, assign
+
+LINE_PAUSE = 0.3
+"""Seconds between two lines if the second has no time of its own."""
 
 
 class SpokenPart(NamedTuple):
@@ -25,11 +38,120 @@ class SpokenPart(NamedTuple):
     rendition: Rendition
 
 
-def silence(writer: AudioWriter, seconds: float) -> list[Segment]:
-    """Write silence, and return its segment unless it has no length."""
-    start = writer.frames
-    writer.silence(seconds)
-    return [Segment(SILENCE, start, writer.frames, intended=True)] if writer.frames > start else []
+class PreparedLine(NamedTuple):
+    """A line that is to be spoken: `offset` is its first character in the whole text.
+
+    `tokens` and `directions` count the characters of the line. `time`: where its sound starts; if it is None,
+    `gap` after the line before. `lead` and `tail`: the silence around it. All in seconds.
+    """
+
+    text: str
+    tokens: Sequence[Token]
+    directions: Directions
+    offset: int = 0
+    time: float | None = None
+    gap: float = LINE_PAUSE
+    lead: float = 0.0
+    tail: float = 0.0
+
+
+class SpokenText(NamedTuple):
+    """All of a text with its sound: phones and words, in seconds, and the lines that they belong to."""
+
+    text: str
+    audio: Audio
+    phones: tuple[Phone, ...]
+    words: tuple[Word, ...]
+    lines: tuple[TextLine, ...]
+
+
+class Assembler:
+    """Puts lines, spoken in their order, into one sound."""
+
+    def __init__(self) -> None:
+        self._files = ExitStack()
+        self._writer: AudioWriter | None = None
+        self._segments: list[Segment] = []
+        self._tokens: list[Token] = []
+        self._lines: list[TextLine] = []
+
+    def __enter__(self) -> Assembler:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self._files.close()
+
+    def add(self, line: PreparedLine, parts: Iterable[SpokenPart], transcribe: Transcriber) -> None:
+        """Append a line.
+
+        Raises InputError if it starts before the line before it has ended, and if no word of it has a sound.
+        """
+        parts = iter(parts)
+        first = next(parts)
+        if self._writer is None:
+            self._writer = self._files.enter_context(AudioWriter(first.rendition.sample_rate))
+        self._wait(line, self._writer)
+        segments = _spoken(line, chain([first], parts), transcribe, self._writer)
+        for segment in segments:
+            if segment.token != NO_TOKEN:
+                segment.token += len(self._tokens)
+        phones = range(len(self._segments), len(self._segments) + len(segments))
+        characters = range(line.offset, line.offset + len(line.text))
+        self._lines.append(TextLine(phones, characters, line.directions.moved(line.offset)))
+        self._segments += segments
+        self._tokens += [Token(t.text, t.start + line.offset, t.end + line.offset) for t in line.tokens]
+
+    def finish(self, text: str) -> SpokenText:
+        """Close the sound and return the spoken `text`; raise ValueError if no line was added."""
+        if self._writer is None:
+            raise ValueError("nothing was spoken")
+        audio = self._writer.finish()
+        phones, words = assemble(self._segments, self._tokens, audio.sample_rate)
+        return SpokenText(text, audio, phones, words, tuple(self._lines))
+
+    def _wait(self, line: PreparedLine, writer: AudioWriter) -> None:
+        """Append the silence before a line."""
+        rate, end = writer.sample_rate, writer.frames
+        follows = end + round(line.gap * rate) if end else 0
+        start = follows if line.time is None else round(line.time * rate)
+        if start < end:
+            raise InputError(f"time = {line.time:g}, but the words before last until {end / rate:.2f} s")
+        if start > end:
+            self._segments.append(Segment(SILENCE, end, start))
+            writer.silence((start - end) / rate)
+
+
+def _spoken(
+    line: PreparedLine, parts: Iterable[SpokenPart], transcribe: Transcriber, writer: AudioWriter
+) -> list[Segment]:
+    """Append the sound of a line to `writer`, and return its segments with indices into its own tokens."""
+    rate, start = writer.sample_rate, writer.frames
+    timed = is_timed(line.directions)
+    sound: list[Samples] = []
+    write = sound.append if timed else writer.append
+    segments, at = _silence(start, line.lead, rate)
+    write(np.zeros(at - start, np.int16))
+    for part in parts:
+        segments += place(part, line.tokens, at, transcribe)
+        write(part.rendition.samples)
+        at += len(part.rendition.samples)
+    tail, end = _silence(at, line.tail, rate)
+    write(np.zeros(end - at, np.int16))
+    segments += tail
+    _keep_punctuated(segments, line.text, line.tokens)
+    segments = settle(segments, rate)
+    if all(segment.token == NO_TOKEN for segment in segments):
+        raise InputError("nothing in the text can be spoken by this voice; expected words of its language")
+    if timed:
+        samples, segments = retime(np.concatenate(sound), segments, line.tokens, line.directions, rate)
+        writer.append(samples)
+    return segments
+
+
+def _silence(start: int, seconds: float, sample_rate: int) -> tuple[list[Segment], int]:
+    """Return the segment of a silence, none if it has no length, and where it ends."""
+    end = start + round(seconds * sample_rate)
+    return [Segment(SILENCE, start, end, intended=True)] if end > start else [], end
 
 
 def place(part: SpokenPart, tokens: Sequence[Token], offset: int, transcribe: Transcriber) -> list[Segment]:
@@ -58,20 +180,15 @@ def _owners(part: SpokenPart, tokens: Sequence[Token], transcribe: Transcriber) 
 
 
 def assemble(
-    segments: list[Segment], text: str, tokens: Sequence[Token], sample_rate: int
+    segments: Sequence[Segment], tokens: Sequence[Token], sample_rate: int
 ) -> tuple[tuple[Phone, ...], tuple[Word, ...]]:
-    """Mend the times of all segments and return phones and words in seconds.
-
-    A token without phones ("*") is not a word.
-    """
-    _keep_punctuated(segments, text, tokens)
-    settled = settle(segments, sample_rate)
+    """Return phones and words in seconds. A token without phones ("*") is not a word."""
     spans: dict[int, list[int]] = {}
-    for index, segment in enumerate(settled):
+    for index, segment in enumerate(segments):
         if segment.token != NO_TOKEN:
             spans.setdefault(segment.token, []).append(index)
     numbers = {token: number for number, token in enumerate(spans)}
-    phones = tuple(_phone(s, sample_rate, numbers.get(s.token, NO_TOKEN)) for s in settled)
+    phones = tuple(_phone(s, sample_rate, numbers.get(s.token, NO_TOKEN)) for s in segments)
     return phones, tuple(_word(tokens[token], inside, phones) for token, inside in spans.items())
 
 

@@ -3,40 +3,33 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
-from ...core.audio import Audio, AudioWriter, Samples
+from ...core.audio import Samples
 from ...core.directions import DirectedSpan, Directions
-from ...core.utterance import SILENCE, Phone, Word
+from ...core.utterance import SILENCE
 from ...languages import phonesets
 from ..engines.mnemonics import to_arpabet
+from ..text.tokens import Token
 from .stretch import stretch
+from .timing import NO_TOKEN, Segment
 
 _STRESS = {"0": 0, "1": 2, "2": 1}
 
 
-class Retimed(NamedTuple):
-    """The sound, phones and words at their new times."""
-
-    audio: Audio
-    phones: tuple[Phone, ...]
-    words: tuple[Word, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class _Piece:
-    """A silence or a word: its phones with their new lengths, and the edges of those it had; in samples."""
+class _Piece(NamedTuple):
+    """A silence or a word: its segments with their new lengths, and the edges of those it had; in samples."""
 
     edges: tuple[int, ...]
-    word: int
-    phones: tuple[tuple[Phone, int], ...]
+    token: int
+    segments: tuple[tuple[Segment, int], ...]
 
     @property
     def length(self) -> int:
-        return sum(length for _, length in self.phones)
+        return sum(length for _, length in self.segments)
 
 
 def is_timed(directions: Directions) -> bool:
@@ -44,48 +37,53 @@ def is_timed(directions: Directions) -> bool:
     return any(span.seconds for span in directions.spans)
 
 
-def retime(audio: Audio, phones: Sequence[Phone], words: Sequence[Word], directions: Directions) -> Retimed:
+def retime(
+    samples: Samples,
+    segments: Sequence[Segment],
+    tokens: Sequence[Token],
+    directions: Directions,
+    sample_rate: int,
+) -> tuple[Samples, list[Segment]]:
     """Return the speech with the durations of `directions`; words without any keep theirs.
 
-    Between two words that have them, only the breaks given are silent.
+    The sound is that of the segments alone. Between two words that have durations, only the breaks given are
+    silent.
     """
-    rate = audio.sample_rate
-    samples = np.concatenate(list(audio.blocks()))
-    pieces = list(_pieces(phones, words, directions, rate))
-    with AudioWriter(rate) as writer:
-        for piece in pieces:
-            writer.append(_sound(piece, samples, rate))
-        new_audio = writer.finish()
-    return Retimed(new_audio, *_counted(pieces, words, rate))
+    first = segments[0].start
+    pieces = list(_pieces(segments, tokens, directions, sample_rate))
+    sound = [_sound(piece, samples, first, sample_rate) for piece in pieces]
+    return np.concatenate(sound), _moved(pieces, first)
 
 
 def _pieces(
-    phones: Sequence[Phone], words: Sequence[Word], directions: Directions, rate: int
+    segments: Sequence[Segment], tokens: Sequence[Token], directions: Directions, rate: int
 ) -> Iterator[_Piece]:
-    timed = [_span_of(word, directions) for word in words]
+    spans = [_span_of(token, directions) for token in tokens]
+    stops = {segment.token: index + 1 for index, segment in enumerate(segments)}
     index = 0
-    while index < len(phones):
-        phone = phones[index]
-        stop = words[phone.word].last_phone if phone.symbol else index + 1
-        inside = phones[index:stop]
-        edges = tuple(round(at * rate) for at in (inside[0].start, *(p.end for p in inside)))
-        span = timed[phone.word] if phone.symbol else None
+    while index < len(segments):
+        segment = segments[index]
+        stop = index + 1 if segment.silent else stops[segment.token]
+        inside = segments[index:stop]
+        edges = (segment.start, *(s.end for s in inside))
+        span = None if segment.silent else spans[segment.token]
         if span is not None:
-            yield _Piece(edges, phone.word, tuple(_dictated(span, phone.word, rate)))
-        elif phone.symbol:
-            yield _Piece(edges, phone.word, tuple((p, round(p.duration * rate)) for p in inside))
+            yield _Piece(edges, segment.token, tuple(_dictated(span, segment.token, rate)))
+        elif segment.silent:
+            length = _silence(segments, index, tokens, spans, directions, rate)
+            yield _Piece(edges, NO_TOKEN, ((segment, length),))
         else:
-            yield _Piece(edges, -1, ((phone, _silence(phones, index, words, timed, directions, rate)),))
+            yield _Piece(edges, segment.token, tuple((s, s.length) for s in inside))
         index = stop
-        before, after = phones[stop - 1].word, phones[stop].word if stop < len(phones) else -1
-        if before >= 0 and after >= 0 and timed[before] and timed[after]:
-            seconds = _breaks(words[before], words[after], directions)
+        before, after = segments[stop - 1].token, segments[stop].token if stop < len(segments) else NO_TOKEN
+        if NO_TOKEN not in (before, after) and spans[before] and spans[after]:
+            seconds = _breaks(tokens[before], tokens[after], directions)
             if seconds:
-                yield _Piece(edges[-1:], -1, ((Phone(SILENCE, 0.0, 1.0), round(seconds * rate)),))
+                yield _Piece(edges[-1:], NO_TOKEN, ((Segment(SILENCE, 0, 0), round(seconds * rate)),))
 
 
-def _span_of(word: Word, directions: Directions) -> DirectedSpan | None:
-    return next((s for s in directions.spans if s.seconds and s.start <= word.source_start < s.end), None)
+def _span_of(token: Token, directions: Directions) -> DirectedSpan | None:
+    return next((s for s in directions.spans if s.seconds and s.start <= token.start < s.end), None)
 
 
 def dictated_phones(span: DirectedSpan) -> Iterator[tuple[str, int, float]]:
@@ -96,58 +94,51 @@ def dictated_phones(span: DirectedSpan) -> Iterator[tuple[str, int, float]]:
         yield phone[:-1] if vowel else phone, _STRESS[phone[-1]] if vowel else -1, seconds
 
 
-def _dictated(span: DirectedSpan, word: int, rate: int) -> Iterator[tuple[Phone, int]]:
+def _dictated(span: DirectedSpan, token: int, rate: int) -> Iterator[tuple[Segment, int]]:
     for symbol, stress, seconds in dictated_phones(span):
-        yield Phone(symbol, 0.0, 1.0, stress, word), round(seconds * rate)
+        yield Segment(symbol, 0, 0, stress, token=token), round(seconds * rate)
 
 
 def _silence(
-    phones: Sequence[Phone],
+    segments: Sequence[Segment],
     index: int,
-    words: Sequence[Word],
-    timed: Sequence[DirectedSpan | None],
+    tokens: Sequence[Token],
+    spans: Sequence[DirectedSpan | None],
     directions: Directions,
     rate: int,
 ) -> int:
     """Return how many samples a silence lasts: its own length, or that of the breaks between timed words."""
-    before = phones[index - 1].word if index else -1
-    after = phones[index + 1].word if index + 1 < len(phones) else -1
-    if before < 0 or after < 0 or not (timed[before] and timed[after]):
-        return round(phones[index].end * rate) - round(phones[index].start * rate)
-    return round(_breaks(words[before], words[after], directions) * rate)
+    before = segments[index - 1].token if index else NO_TOKEN
+    after = segments[index + 1].token if index + 1 < len(segments) else NO_TOKEN
+    if NO_TOKEN in (before, after) or not (spans[before] and spans[after]):
+        return segments[index].length
+    return round(_breaks(tokens[before], tokens[after], directions) * rate)
 
 
-def _breaks(before: Word, after: Word, directions: Directions) -> float:
-    return sum(b.seconds for b in directions.breaks if before.source_end <= b.at <= after.source_start)
+def _breaks(before: Token, after: Token, directions: Directions) -> float:
+    return sum(b.seconds for b in directions.breaks if before.end <= b.at <= after.start)
 
 
-def _sound(piece: _Piece, samples: Samples, rate: int) -> Samples:
-    if piece.word < 0:
+def _sound(piece: _Piece, samples: Samples, first: int, rate: int) -> Samples:
+    """Return the sound of a piece; `samples` begin at the sample `first` of the whole."""
+    if piece.token == NO_TOKEN:
         return np.zeros(piece.length, np.int16)
-    source = np.array(piece.edges, dtype=np.float64)
-    target = np.cumsum([0.0, *(length for _, length in piece.phones)])
+    source = np.array(piece.edges, dtype=np.float64) - first
+    target = np.cumsum([0.0, *(length for _, length in piece.segments)])
     if len(source) != len(target):
         # Phones that the voice made more or fewer of: only the word's ends are sure.
         source, target = source[[0, -1]], target[[0, -1]]
     if np.array_equal(source - source[0], target):
-        return samples[piece.edges[0] : piece.edges[-1]]
+        return samples[piece.edges[0] - first : piece.edges[-1] - first]
     return stretch(samples, source, target, rate)
 
 
-def _counted(
-    pieces: Sequence[_Piece], words: Sequence[Word], rate: int
-) -> tuple[tuple[Phone, ...], tuple[Word, ...]]:
-    """Return phones and words at their new times."""
-    retimed: list[Phone] = []
-    placed: list[Word] = []
-    at = 0
-    for piece in pieces:
-        first = len(retimed)
-        for phone, length in piece.phones:
-            if length:
-                retimed.append(replace(phone, start=at / rate, end=(at + length) / rate))
-                at += length
-        if piece.word >= 0:
-            word = replace(words[piece.word], start=retimed[first].start, end=retimed[-1].end)
-            placed.append(replace(word, first_phone=first, last_phone=len(retimed)))
-    return tuple(retimed), tuple(placed)
+def _moved(pieces: Sequence[_Piece], first: int) -> list[Segment]:
+    """Return the segments at their new times, from the sample `first` on."""
+    moved: list[Segment] = []
+    at = first
+    for segment, length in (pair for piece in pieces for pair in piece.segments):
+        if length:
+            moved.append(replace(segment, start=at, end=at + length))
+            at += length
+    return moved

@@ -52,7 +52,7 @@ class EspeakEngine:
         self._voices: tuple[Voice, ...] = ()
         self._words: dict[tuple[str, str], tuple[str, ...]] = {}
 
-    def speak(self, request: SpeechRequest) -> Rendition:
+    def synthesize(self, request: SpeechRequest) -> Rendition:
         """Speak a text. Equal requests give equal bytes."""
         language = language_of(request.voice.language)
         ipa = not _speaks_mnemonics(request.voice)

@@ -36,7 +36,7 @@ class PiperEngine(ProgramEngine):
     def __init__(self, program: str, model: Path, language: str) -> None:
         super().__init__([program, "--model", str(model)], str(model), language)
 
-    def speak(self, request: SpeechRequest) -> Rendition:
+    def synthesize(self, request: SpeechRequest) -> Rendition:
         """Speak a text. Its manner's rate is Piper's length scale; pitch and range stay the voice's own."""
         self._tell(request)
         with tempfile.TemporaryDirectory() as folder:

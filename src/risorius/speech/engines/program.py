@@ -52,7 +52,7 @@ class ProgramEngine:
         self._language = language
         self._told = False
 
-    def speak(self, request: SpeechRequest) -> Rendition:
+    def synthesize(self, request: SpeechRequest) -> Rendition:
         """Speak a text; raise SpeechError if the program fails or gives no answer of the form asked for."""
         self._tell(request)
         return self.rendition_of(self._run(request_of(request, self._language)), request)
@@ -204,7 +204,7 @@ def referred(request: SpeechRequest, language: str) -> Rendition:
     """Return a request as espeak-ng speaks it."""
     engine = load_engine()
     voice = find_voice(None, language, engine)
-    return engine.speak(SpeechRequest(request.text, voice, request.rate))
+    return engine.synthesize(SpeechRequest(request.text, voice, request.rate))
 
 
 @VOICE_FILES.register(".py")

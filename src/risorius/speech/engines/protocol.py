@@ -78,7 +78,7 @@ class Rendition:
 class SpeechEngine(Protocol):
     """A speech engine. All methods may raise SpeechError, and may be called from any thread."""
 
-    def speak(self, request: SpeechRequest) -> Rendition:
+    def synthesize(self, request: SpeechRequest) -> Rendition:
         """Speak a text. Equal requests give equal bytes."""
         ...
 

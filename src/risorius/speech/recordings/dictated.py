@@ -12,12 +12,10 @@ from ...core.audio import Audio
 from ...core.directions import DirectedSpan, Directions
 from ...core.utterance import SILENCE, Phone, Utterance, Word
 from ...errors import InputError
-from ...languages import language_of
 from ..alignment import align
 from ..assembly.retime import dictated_phones
-from ..structure.accents import intone
-from ..structure.pauses import find_pauses
-from ..structure.syllables import syllabify
+from ..structure.build import build_utterance
+from ..structure.lines import whole
 
 LANGUAGE = "en-us"
 # Seconds by which the phones may last beyond the recording: its length is rounded.
@@ -58,10 +56,7 @@ def utterance_dictated(audio: Audio, text: str, directions: Directions) -> Utter
         )
     closed = _closed(phones, audio.duration, spans[-1])
     words[-1] = _ended(words[-1], closed)
-    language = language_of(LANGUAGE)
-    syllables = syllabify(closed, words, language)
-    pauses = find_pauses(text, closed, words, language)
-    return intone(Utterance(text, LANGUAGE, audio, closed, tuple(words), syllables, pauses), directions)
+    return build_utterance(text, LANGUAGE, audio, closed, tuple(words), (whole(text, closed, directions),))
 
 
 def _before(at: int, spans: Sequence[DirectedSpan], index: int) -> bool:

@@ -14,15 +14,12 @@ from itertools import pairwise
 from ...core.audio import Audio, silence
 from ...core.utterance import SILENCE, Phone, Utterance, Word
 from ...errors import InputError, Place, SpeechWarning, warn
-from ...languages import language_of
 from ...script.quote import quoted
 from ...script.textgrid import INTERVALS, Label, TextGrid, Tier
 from ..alignment.lexicon import stresses_of
-from ..structure.accents import intone
-from ..structure.pauses import find_pauses
+from ..structure.build import build_utterance
 from ..structure.phrases import with_phrases
-from ..structure.syllables import syllabify
-from ..synthesis import synthesize
+from ..synthesis import synthesize_line
 from .phone_labels import UNSTRESSED, PhoneLabel, is_silence, read_phones
 from .tone_labels import read_tones, tells_accents, tells_boundaries
 
@@ -56,11 +53,8 @@ def utterance_of_labels(grid: TextGrid, audio: Audio | None = None) -> Utterance
     text = " ".join(word.text for word in timed)
     phones = _stressed(phones, timed, sounds, text if arpabet and words else "")
     code = _ARPABET_LANGUAGE if arpabet else _UNDETERMINED
-    language = language_of(code)
-    syllables = syllabify(phones, timed, language)
-    pauses = find_pauses(text, phones, timed, language)
-    tones = read_tones(grid, syllables, timed)
-    said = intone(Utterance(text, code, audio, phones, timed, syllables, pauses))
+    said = build_utterance(text, code, audio, phones, timed)
+    tones = read_tones(grid, said.syllables, timed)
     return with_phrases(
         replace(
             said,
@@ -185,7 +179,7 @@ def _stressed(
     """Return the phones with the stress that espeak-ng gives the words if no label tells it."""
     if not text or all(sound.stress is not None for sound in sounds):
         return phones
-    spoken = synthesize(text)
+    spoken = synthesize_line(text)
     heard = {word.source_start: word for word in spoken.words}
     phone_list = list(phones)
     for word in words:

@@ -11,55 +11,73 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 
-from ...core.directions import UNDIRECTED, Directions, ToneMark
+from ...core.directions import Directions, ToneMark
 from ...core.utterance import Accent, Boundary, Phrase, Utterance, Word
 from ...languages import Language, language_of, phonesets
 from ...languages.intonation import Candidate
 from .context import THEME, DiscourseContext, PlacedWord, context_of
 from .deaccent import deaccented
-from .phrases import after_word, find_phrases
+from .lines import TextLine, following_texts, whole
+from .phrases import find_phrases
 
 PRIMARY = 2
 
 
-def intone(utterance: Utterance, directions: Directions = UNDIRECTED) -> Utterance:
+def intone(utterance: Utterance, lines: Sequence[TextLine] = ()) -> Utterance:
     """Return the utterance with its phrases, their accents, each at the middle of its vowel, and boundaries.
 
     A phrase also ends with a boundary that is written by hand; if accents are, its other words have none. One
-    accent per phrase is nuclear. `directions` count characters of the utterance's text.
+    accent per phrase is nuclear. Without `lines` the text is one.
     """
-    tones = _by_word(utterance.words, directions.accents)
-    ends = _by_word(utterance.words, directions.boundaries)
+    lines = lines or (whole(utterance.text, utterance.phones),)
+    tones = _by_word(utterance.words, [(line, line.directions.accents) for line in lines])
+    ends = _by_word(utterance.words, [(line, line.directions.boundaries) for line in lines])
+    language = language_of(utterance.language)
+    phrases = find_phrases(utterance, ends, clauses=True, lines=lines)
+    contexts = _contexts(utterance, language, phrases, lines)
+    themes = {word: THEME for context in contexts for word in context.themes if word not in ends}
+    if themes:
+        ends = themes | ends
+        phrases = find_phrases(utterance, ends, clauses=True, lines=lines)
     accents: list[Accent] = []
     boundaries: list[Boundary] = []
-    language = language_of(utterance.language)
-    phrases = find_phrases(utterance, ends, clauses=True)
-    context = context_of(_placed(utterance, phrases), directions.answers, language)
-    if themes := {word: THEME for word in context.themes if word not in ends}:
-        ends = themes | ends
-        phrases = find_phrases(utterance, ends, clauses=True)
+    last_words = [line.words(utterance.words).stop for line in lines]
     for phrase in phrases:
+        number = bisect_right(last_words, phrase.first_word)
         accents += _written(utterance, phrase, tones) or _ruled(
-            utterance, language, phrase, directions, context
+            utterance, language, phrase, lines[number].directions, contexts[number]
         )
         boundaries += _boundary(utterance, language, phrase, ends)
     return replace(utterance, accents=tuple(accents), boundaries=tuple(boundaries), phrases=phrases)
 
 
-def _placed(utterance: Utterance, phrases: Sequence[Phrase]) -> list[PlacedWord]:
+def _contexts(
+    utterance: Utterance, language: Language, phrases: Sequence[Phrase], lines: Sequence[TextLine]
+) -> list[DiscourseContext]:
+    """Return the context of each line: nothing is given by another one."""
     sentences = [p.sentence for p in phrases for _ in range(p.first_word, p.last_word)]
-    return [
-        PlacedWord(
-            word.text, sentence, separated=index > 0 and bool(after_word(utterance, index - 1).strip())
-        )
-        for index, (word, sentence) in enumerate(zip(utterance.words, sentences, strict=True))
-    ]
+    separated = [bool(text.strip()) for text in following_texts(utterance.text, utterance.words, lines)]
+    contexts = []
+    for line in lines:
+        words = line.words(utterance.words)
+        placed = [
+            PlacedWord(utterance.words[i].text, sentences[i], separated=i > words.start and separated[i - 1])
+            for i in words
+        ]
+        contexts.append(context_of(placed, line.directions.answers, language).moved(words.start))
+    return contexts
 
 
-def _by_word(words: Sequence[Word], tones: Sequence[ToneMark]) -> dict[int, str]:
-    """Return each tone's label by the index of the word that holds its character, or of the one before."""
+def _by_word(words: Sequence[Word], tones: Sequence[tuple[TextLine, Sequence[ToneMark]]]) -> dict[int, str]:
+    """Return each tone's label by the index of the word of its line that holds its character, or of the one
+    before.
+    """
     starts = [word.source_start for word in words]
-    return {max(bisect_right(starts, tone.at) - 1, 0): tone.label for tone in tones}
+    return {
+        max(bisect_right(starts, tone.at) - 1, line.words(words).start): tone.label
+        for line, own in tones
+        for tone in own
+    }
 
 
 def _written(utterance: Utterance, phrase: Phrase, tones: Mapping[int, str]) -> list[Accent]:

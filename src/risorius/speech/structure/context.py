@@ -44,6 +44,13 @@ class DiscourseContext:
     answer: int | None = None
     themes: Set[int] = frozenset()
 
+    def moved(self, words: int) -> DiscourseContext:
+        """Return the same context of words that stand this many words later."""
+        sets = (frozenset(i + words for i in s) for s in (self.given, self.contrasted, self.themes))
+        given, contrasted, themes = sets
+        answer = None if self.answer is None else self.answer + words
+        return DiscourseContext(given, contrasted, answer, themes)
+
 
 @dataclass(frozen=True, slots=True)
 class _Question:

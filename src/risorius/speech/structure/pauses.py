@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 
 from ...core.utterance import SILENCE, Pause, PauseKind, Phone, Word
 from ...languages import Language, plain_word
+from .lines import TextLine, following_texts
 
 # Shorter silence that no punctuation asks for is not a pause (seconds).
 SHORTEST_UNASKED = 0.15
@@ -21,16 +22,43 @@ _CLAUSE = re.compile(r"[,;:()\u2013\u2014\u060c\u3001\uff0c\uff1b\uff1a]|--|\s-\
 
 
 def find_pauses(
-    text: str, phones: Sequence[Phone], words: Sequence[Word], language: Language
+    text: str,
+    phones: Sequence[Phone],
+    words: Sequence[Word],
+    language: Language,
+    lines: Sequence[TextLine] = (),
 ) -> tuple[Pause, ...]:
     """Return the pauses among `phones`, in order.
 
     Silence before the first word is INITIAL. Each later silence is one pause, of which the punctuation before
     it decides; without any, silence after the last word is FINAL, and of at least 0.15 s elsewhere a COMMA. A
-    comma after "um" and its like is a HESITATION. Silence inside a word is not a pause.
+    comma after "um" and its like is a HESITATION. Silence inside a word is not a pause. All silence between
+    two lines is one pause: a full stop, unless the first line ends in a silence after other punctuation.
     """
-    pauses = (_pause(text, phones, words, index, language) for index in range(len(phones)))
-    return tuple(pause for pause in pauses if pause is not None)
+    following = following_texts(text, words, lines)
+    edges = {index for line in lines for index in (line.phones.start, line.phones.stop)}
+    pauses: list[Pause] = []
+    spoken = False
+    for index, phone in enumerate(phones):
+        if phone.symbol != SILENCE:
+            spoken = True
+            continue
+        kind = _kind(phones, words, index, edges, following, language)
+        if kind is None:
+            continue
+        pause = Pause(phone.start, phone.end, kind)
+        if index in edges:
+            pause = _before_line(pauses, pause, PauseKind.FULL_STOP if spoken else PauseKind.INITIAL)
+        pauses.append(pause)
+    return tuple(pauses)
+
+
+def _before_line(pauses: list[Pause], pause: Pause, kind: PauseKind) -> Pause:
+    """Return a pause before a line, of this kind; it takes in the one that leads to it, and its function."""
+    if not pauses or pauses[-1].end != pause.start:
+        return Pause(pause.start, pause.end, kind)
+    before = pauses.pop()
+    return Pause(before.start, pause.end, kind if before.kind is PauseKind.FINAL else before.kind)
 
 
 def punctuation_kind(between: str) -> PauseKind | None:
@@ -41,30 +69,25 @@ def punctuation_kind(between: str) -> PauseKind | None:
     return PauseKind.COMMA if _CLAUSE.search(between) else None
 
 
-def _pause(
-    text: str, phones: Sequence[Phone], words: Sequence[Word], index: int, language: Language
-) -> Pause | None:
-    phone = phones[index]
-    if phone.symbol != SILENCE:
-        return None
-    before = phones[index - 1].word if index else -1
-    after = phones[index + 1].word if index + 1 < len(phones) else -1
-    kind = _kind(text, phone, words, before, after, language)
-    return None if kind is None else Pause(phone.start, phone.end, kind)
-
-
 def _kind(
-    text: str, phone: Phone, words: Sequence[Word], before: int, after: int, language: Language
+    phones: Sequence[Phone],
+    words: Sequence[Word],
+    index: int,
+    edges: Set[int],
+    following: Sequence[str],
+    language: Language,
 ) -> PauseKind | None:
-    """Return the meaning of the silence between two words, by their index; -1: no word on that side."""
+    """Return the meaning of a silence, by its index, in its line; `edges` are the first phones of lines."""
+    before = phones[index - 1].word if index and index not in edges else -1
+    after = phones[index + 1].word if index + 1 < len(phones) and index + 1 not in edges else -1
     if before < 0:
         return PauseKind.INITIAL
     if after < 0:
-        return punctuation_kind(text[words[before].source_end :]) or PauseKind.FINAL
+        return punctuation_kind(following[before]) or PauseKind.FINAL
     if before == after:
         return None
-    kind = punctuation_kind(text[words[before].source_end : words[after].source_start])
-    if kind is None and phone.duration >= SHORTEST_UNASKED:
+    kind = punctuation_kind(following[before])
+    if kind is None and phones[index].duration >= SHORTEST_UNASKED:
         kind = PauseKind.COMMA
     if kind is PauseKind.COMMA and plain_word(words[before].text) in language.fillers:
         return PauseKind.HESITATION

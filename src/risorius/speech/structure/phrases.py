@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Collection, Iterator
-from dataclasses import replace
+from collections.abc import Collection, Iterator, Sequence, Set
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from ...core.utterance import SENTENCE_ENDS, Ending, PauseKind, Phrase, Question, Utterance
 from ...languages import Language, language_of, plain_word
 from ..text.sentences import divide
+from .lines import TextLine, following_texts, whole
 from .pauses import punctuation_kind
 from .questions import question_of
 
@@ -27,22 +28,40 @@ _QUESTION_ENDINGS = {
 }
 
 
+@dataclass(frozen=True, slots=True)
+class _Text:
+    """An utterance as it is written: `following` are the characters after each word.
+
+    `sentences`: the first word of each; `line_ends`: the last word of each line.
+    """
+
+    utterance: Utterance
+    language: Language
+    following: Sequence[str]
+    sentences: Sequence[int]
+    line_ends: Set[int]
+
+
 def with_phrases(utterance: Utterance) -> Utterance:
     """Return the utterance with its phrases: runs of words up to a pause, a boundary or a sentence's end."""
     return replace(utterance, phrases=find_phrases(utterance, {b.word for b in utterance.boundaries}))
 
 
 def find_phrases(
-    utterance: Utterance, last_words: Collection[int], *, clauses: bool = False
+    utterance: Utterance,
+    last_words: Collection[int],
+    *,
+    clauses: bool = False,
+    lines: Sequence[TextLine] = (),
 ) -> tuple[Phrase, ...]:
     """Return the phrases of an utterance, in order.
 
     A phrase ends at a pause, with a sentence, and with one of `last_words`; if `clauses`, also before a word
-    with which a clause begins, though nothing is heard there.
+    with which a clause begins, though nothing is heard there. A sentence ends with its line.
     """
     words = utterance.words
-    language = language_of(utterance.language)
-    sentences = _sentence_starts(utterance, language)
+    text = _text_of(utterance, lines or (whole(utterance.text, utterance.phones),))
+    sentences = text.sentences
     sentence_ends = {*sentences, len(words)}
     ends = [
         index
@@ -53,22 +72,30 @@ def find_phrases(
     for before, last in pairwise([-1, *ends]):
         number = bisect_right(sentences, last) - 1
         stop = sentences[number + 1] if number + 1 < len(sentences) else len(words)
-        question = _question(utterance, sentences[number], stop - 1)
+        question = _question(text, sentences[number], stop - 1)
         edges = [
             before + 1,
-            *(_clause_starts(utterance, language, before + 1, last + 1) if clauses else ()),
+            *(_clause_starts(text, before + 1, last + 1) if clauses else ()),
             last + 1,
         ]
         for first, end in pairwise(edges):
-            ending = Ending.CLAUSE if end <= last else _ending(utterance, sentences[number], last)
+            ending = Ending.CLAUSE if end <= last else _ending(text, sentences[number], last)
             times = (words[first].start, words[end - 1].end)
             phrases.append(Phrase(first, end, *times, number, ending, question))
     return tuple(phrases)
 
 
-def _sentence_starts(utterance: Utterance, language: Language) -> list[int]:
+def _text_of(utterance: Utterance, lines: Sequence[TextLine]) -> _Text:
+    language = language_of(utterance.language)
+    following = following_texts(utterance.text, utterance.words, lines)
+    line_ends = {line.words(utterance.words).stop - 1 for line in lines}
+    return _Text(utterance, language, following, _sentence_starts(utterance, language, lines), line_ends)
+
+
+def _sentence_starts(utterance: Utterance, language: Language, lines: Sequence[TextLine]) -> list[int]:
     """Return the first word of each sentence."""
-    cuts = [stretch.end for stretch in divide(utterance.text, language) if stretch.ends_sentence]
+    texts = [(c.start, utterance.text[c.start : c.stop]) for c in (line.characters for line in lines)]
+    cuts = [start + s.end for start, text in texts for s in divide(text, language) if s.ends_sentence]
     numbers = [bisect_right(cuts, word.source_start) for word in utterance.words]
     return [
         index
@@ -82,46 +109,39 @@ def _pauses_as_sentences_do(utterance: Utterance, word: int) -> bool:
     return pause is not None and pause.kind in SENTENCE_ENDS
 
 
-def _question(utterance: Utterance, first: int, last: int) -> Question:
+def _question(text: _Text, first: int, last: int) -> Question:
     """Return how the words from `first` to `last` ask, with which a sentence may end."""
-    if punctuation_kind(after_word(utterance, last)) is not PauseKind.QUESTION:
+    if punctuation_kind(text.following[last]) is not PauseKind.QUESTION:
         return Question.NONE
-    words = utterance.words[_opening(utterance, first, last) : last + 1]
-    return question_of([word.text for word in words], language_of(utterance.language))
+    words = text.utterance.words[_opening(text, first, last) : last + 1]
+    return question_of([word.text for word in words], text.language)
 
 
-def _opening(utterance: Utterance, first: int, last: int) -> int:
+def _opening(text: _Text, first: int, last: int) -> int:
     """Return the first word of the question among [first, last], which Spanish marks: "Hola, ¿qué tal?"."""
-    marked = (i for i in range(last, first, -1) if _OPENING in after_word(utterance, i - 1))
+    marked = (i for i in range(last, first, -1) if _OPENING in text.following[i - 1])
     return next(marked, first)
 
 
-def _ending(utterance: Utterance, sentence: int, last: int) -> Ending:
+def _ending(text: _Text, sentence: int, last: int) -> Ending:
     """Return how the phrase with the last word `last` ends; its sentence starts with the word `sentence`."""
-    pause = utterance.pause_after(last)
+    pause = text.utterance.pause_after(last)
     if pause is not None and pause.kind is PauseKind.HESITATION:
         return Ending.HESITATION
-    kind = punctuation_kind(after_word(utterance, last))
+    kind = punctuation_kind(text.following[last])
     if kind is PauseKind.QUESTION:
-        return _QUESTION_ENDINGS.get(_question(utterance, sentence, last), Ending.YES_NO_QUESTION)
+        return _QUESTION_ENDINGS.get(_question(text, sentence, last), Ending.YES_NO_QUESTION)
     if kind is not None:
         return _ENDINGS[kind]
-    if last + 1 == len(utterance.words):
+    if last in text.line_ends:
         return Ending.OPEN
     return Ending.CLAUSE if pause is None else Ending.PAUSE
 
 
-def after_word(utterance: Utterance, index: int) -> str:
-    """Return the characters between a word and the next one."""
-    following = utterance.words[index + 1 : index + 2]
-    stop = following[0].source_start if following else len(utterance.text)
-    return utterance.text[utterance.words[index].source_end : stop]
-
-
-def _clause_starts(utterance: Utterance, language: Language, start: int, stop: int) -> Iterator[int]:
+def _clause_starts(text: _Text, start: int, stop: int) -> Iterator[int]:
     """Yield the words among [start, stop) with which clauses begin."""
-    rule = language.clauses
+    rule = text.language.clauses
     for index in range(start + rule.least, stop - rule.least + 1):
-        if plain_word(utterance.words[index].text) in rule.before and index - start >= rule.least:
+        if plain_word(text.utterance.words[index].text) in rule.before and index - start >= rule.least:
             yield index
             start = index

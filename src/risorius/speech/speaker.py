@@ -1,0 +1,148 @@
+"""A voice that speaks lines: from their text to stretches of sound."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Callable, Iterator, MutableMapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+from ..core.directions import UNDIRECTED, DirectedSpan, Directions
+from ..core.manner import PLAIN, Manner
+from ..errors import InputError, Place, SpeechWarning, warn
+from ..languages import Language, language_of
+from .assembly.assemble import LINE_PAUSE, PreparedLine, SpokenPart
+from .assembly.lengthen import scale_pauses
+from .assembly.retime import is_timed
+from .engines.protocol import Rendition, SpeechEngine, SpeechRequest, Voice
+from .engines.registry import is_voice_file, load_engine, load_voice_file
+from .engines.voices import find_voice
+from .structure.context import PlacedWord, context_of, raised
+from .text.normalise import normalise, placed
+from .text.sentences import divide
+from .text.tokens import Token, tokenize, with_words
+
+KnownRenditions = MutableMapping[SpeechRequest, Rendition]
+"""The renditions of a voice, by their requests."""
+
+
+@dataclass(frozen=True, slots=True)
+class Speaker:
+    """A voice of an engine, and how it speaks: `rate` in words per minute, `pitch` 0..99, None for its own.
+
+    Requests in `spoken` are not spoken again; new renditions are added to it. `progress` is told the share
+    (0..1) of a line that is done.
+    """
+
+    engine: SpeechEngine
+    voice: Voice
+    rate: int | None = None
+    pitch: int | None = None
+    manner: Manner = PLAIN
+    spoken: KnownRenditions | None = None
+    progress: Callable[[float], None] | None = None
+
+    @property
+    def language(self) -> Language:
+        """The language of the voice."""
+        return language_of(self.voice.language)
+
+    @property
+    def mean_pitch(self) -> float | None:
+        """The mean pitch of the voice in Hz, None if it is not known."""
+        return self.engine.mean_pitch(self.voice)
+
+    def transcribe(self, words: Sequence[str]) -> Sequence[Sequence[str]]:
+        """Return the phones of each word spoken by itself."""
+        return self.engine.transcribe(words, self.voice)
+
+    def prepare(
+        self,
+        text: str,
+        directions: Directions = UNDIRECTED,
+        *,
+        offset: int = 0,
+        time: float | None = None,
+        gap: float | None = None,
+        silences: tuple[float, float] = (0.0, 0.0),
+    ) -> PreparedLine:
+        """Return a line as this voice speaks it, with `silences` before and after it, in seconds.
+
+        `offset`, `time` and `gap` as in PreparedLine; without a `gap` it is the usual one. Raises InputError
+        for directions that the voice's language does not allow.
+        """
+        tokens = with_words(tokenize(text), self.language.words)
+        if is_timed(directions) and not self.language.mnemonics.dictated:
+            timed = next(span for span in directions.spans if span.seconds)
+            message = f"durations of phonemes in '{self.voice.language}'; expected an English voice for them"
+            raise InputError(message, timed.place)
+        if directions.answers and not directions.accents:
+            directions = _answering(text, tokens, directions, self.language)
+        return PreparedLine(
+            text, tokens, directions, offset, time, LINE_PAUSE if gap is None else gap, *silences
+        )
+
+    def speak(self, line: PreparedLine) -> Iterator[SpokenPart]:
+        """Speak a line, stretch by stretch; warn of sounds that had to be guessed."""
+        text, language = line.text, self.language
+        stretches = divide(text, language)
+        guessed: dict[str, None] = {}
+        for number, stretch in enumerate(stretches):
+            spoken = normalise(text, stretch.start, stretch.end, language)
+            last = number + 1 == len(stretches)
+            request = SpeechRequest(
+                spoken.text,
+                self.voice,
+                self.rate,
+                self.pitch,
+                end_pause=stretch.ends_sentence and not last,
+                manner=self.manner,
+                directions=tuple(placed(line.directions, spoken, stretch.start, stretch.end, last=last)),
+            )
+            rendition = scale_pauses(self._rendition(request), self.manner.pauses)
+            guessed.update(dict.fromkeys(rendition.guessed))
+            yield SpokenPart(stretch, spoken, rendition)
+            if self.progress is not None:
+                self.progress((number + 1) / len(stretches))
+        if guessed:
+            names = ", ".join(f"'{name}'" for name in guessed)
+            warn(f"unknown phones are shown as the nearest class of phones: {names}", SpeechWarning)
+
+    def _rendition(self, request: SpeechRequest) -> Rendition:
+        """Return what was `spoken` for a request, or let the engine speak it and add it there."""
+        if self.spoken is None:
+            return self.engine.synthesize(request)
+        rendition = self.spoken.get(request) or self.engine.synthesize(request)
+        self.spoken[request] = rendition
+        return rendition
+
+
+def find_speaker(name: str | None, language: str | None, engine: SpeechEngine | None = None) -> Speaker:
+    """Return the speaker with a voice, by its name or its file; with `language` alone its first voice.
+
+    Raises SpeechError for an unknown voice.
+    """
+    if engine is None and name is not None and is_voice_file(name):
+        engine = load_voice_file(name, language)
+        return Speaker(engine, engine.voices()[0])
+    engine = engine or load_engine()
+    return Speaker(engine, find_voice(name, language, engine))
+
+
+def _answering(text: str, tokens: Sequence[Token], directions: Directions, language: Language) -> Directions:
+    """Return directions by which the voice raises what is new in an answer and lowers what is given."""
+    if not language.spaces:
+        raise InputError(f"questions are not compared in '{language.code}'; expected a language with blanks")
+    ends = [stretch.end for stretch in divide(text, language) if stretch.ends_sentence]
+    gaps = [text[a.end : b.start].strip() for a, b in pairwise(tokens)]
+    words = [
+        PlacedWord(token.text, bisect_right(ends, token.start), separated=bool(gap))
+        for token, gap in zip(tokens, ["", *gaps], strict=True)
+    ]
+    context = context_of(words, directions.answers, language)
+    pitch = raised(context, words, language)
+    here = Place("text")
+    spans = tuple(
+        DirectedSpan(tokens[i].start, tokens[i].end, here, Manner(pitch=pitch[i])) for i in sorted(pitch)
+    )
+    return replace(directions, spans=(*spans, *directions.spans))

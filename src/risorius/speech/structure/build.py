@@ -1,0 +1,28 @@
+"""From phones and words to an utterance: its syllables, pauses, phrases and accents, in this order."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ...core.audio import Audio
+from ...core.utterance import Phone, Utterance, Word
+from ...languages import language_of
+from .accents import intone
+from .lines import TextLine
+from .pauses import find_pauses
+from .syllables import syllabify
+
+
+def build_utterance(
+    text: str,
+    code: str,
+    audio: Audio,
+    phones: tuple[Phone, ...],
+    words: tuple[Word, ...],
+    lines: Sequence[TextLine] = (),
+) -> Utterance:
+    """Return the utterance of a text in the language `code`; without `lines` the text is one."""
+    language = language_of(code)
+    syllables = syllabify(phones, words, language)
+    pauses = find_pauses(text, phones, words, language, lines)
+    return intone(Utterance(text, code, audio, phones, words, syllables, pauses), lines)
