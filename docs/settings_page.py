@@ -7,7 +7,7 @@ from pathlib import Path
 
 from risorius.core.setting import Group, Row, Stage, ValueKind, rows
 from risorius.settings import Settings
-from risorius.unread import INPUTS, NEEDED, InputKind
+from risorius.unused_settings import INPUTS, NEEDED, InputKind
 
 PAGE = Path(__file__).parent / "settings.md"
 HEAD = """# Settings

@@ -16,10 +16,10 @@ import risorius
 from risorius.cli import commands, run
 from risorius.cli.listing import LISTINGS
 from risorius.core.channels import CHANNELS
-from risorius.errors import UnreadError
+from risorius.errors import UnusedSettingError
 from risorius.ports.formats import FORMATS, FileFormat, format_for
 from risorius.settings import Settings
-from risorius.unread import refuse_unwritten
+from risorius.unused_settings import reject_unwritten
 from tests.collected import all_cases
 from tests.profiles import everyday, samples
 
@@ -72,8 +72,8 @@ def written(pattern: str) -> bool:
 
 def changes_output(settings: Settings, formats: list[FileFormat]) -> bool:
     try:
-        refuse_unwritten(settings, formats)
-    except UnreadError:
+        reject_unwritten(settings, formats)
+    except UnusedSettingError:
         return False
     return True
 

@@ -20,7 +20,7 @@ ROOT = Path(risorius.__file__).parent
 GROUND = {"errors"}
 WORDS = {"core", "languages", "rules", "script", "speech"}
 TAKE = WORDS | {"channels", "blend", "face", "looks", "render", "ports", "settings"}
-PIPELINE = TAKE | {"unread", "take"}
+PIPELINE = TAKE | {"unused_settings", "take"}
 LIBRARY = PIPELINE | {"presets", "pipeline", "api", "live", "batches"}
 
 # From the ground up: each package, or module of the top level, and what it may import beside itself and the
@@ -43,10 +43,10 @@ MAY_IMPORT: Mapping[str, set[str]] = {
     "looks": {"core", "face", "settings"},
     "render": {"core", "face", "settings", "looks"},
     "ports": {"core", "browser", "languages", "script", "face", "looks", "render"},
-    "unread": {"core", "script", "speech", "ports", "settings"},
+    "unused_settings": {"core", "speech", "ports", "settings"},
     "notebook": {"core", "render"},
     "take": TAKE | {"notebook"},
-    "pipeline": PIPELINE - {"face", "looks", "render", "ports"},
+    "pipeline": PIPELINE - {"face", "looks", "render", "ports", "unused_settings"},
     "api": PIPELINE | {"pipeline"},
     "speaking": PIPELINE | {"api"},
     "live": PIPELINE | {"pipeline", "api"},

@@ -20,11 +20,11 @@ from risorius.core.progress import quiet
 from risorius.core.score import Score
 from risorius.core.setting import Row, Stage, rows
 from risorius.core.utterance import Utterance
-from risorius.errors import RisoriusError, UnreadError
+from risorius.errors import RisoriusError, UnusedSettingError
 from risorius.rules.emotions import Display
 from risorius.script import Script, parse_script
 from risorius.settings import Settings, settings_of
-from risorius.unread import (
+from risorius.unused_settings import (
     CAPTURE,
     CHARACTER,
     INPUTS,
@@ -171,7 +171,7 @@ def _refused(kind: InputKind, row: Row) -> tuple[str, ...]:
     """Return the settings that an input of a kind refuses if one has another value than its default."""
     try:
         _performed(kind, settings_of({row.name: CASES[row.name]}))
-    except UnreadError as error:
+    except UnusedSettingError as error:
         return error.names
     except RisoriusError:
         pass

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from .errors import RisoriusWarning as RisoriusWarning
     from .errors import SpeechError as SpeechError
     from .errors import SpeechWarning as SpeechWarning
-    from .errors import UnreadError as UnreadError
+    from .errors import UnusedSettingError as UnusedSettingError
     from .errors import warnings_to as warnings_to
     from .face.arkit_fit import ArkitTrack as ArkitTrack
     from .face.frame import FaceFrame as FaceFrame
@@ -84,7 +84,7 @@ __all__ = [
     "Take",
     "Tally",
     "Trace",
-    "UnreadError",
+    "UnusedSettingError",
     "Utterance",
     "align",
     "batch",
@@ -119,7 +119,7 @@ _MODULES = {
         "RisoriusWarning",
         "SpeechError",
         "SpeechWarning",
-        "UnreadError",
+        "UnusedSettingError",
         "warnings_to",
     ),
     "face.arkit_fit": ("ArkitTrack",),

@@ -14,7 +14,7 @@ from .core.paths import is_file, path_of
 from .core.performance import announced
 from .core.progress import Progress, quiet
 from .core.score import BlendSettings, Score
-from .errors import InputError, Place, UnreadError, check_number
+from .errors import InputError, Place, UnusedSettingError, check_number
 from .pipeline import combine, perform
 from .ports.performance_json import read_performance_file
 from .ports.score_json import read_score_file
@@ -23,10 +23,10 @@ from .rules.emotions import Display, Displays, parse_display
 from .rules.poses import posed
 from .rules.rule_set import emotions_of
 from .settings import BlendChoices, Settings
-from .speech import Input, Recording, hear, read_transcript
+from .speech import Input, Recording, hear, read, read_transcript
 from .speech.recordings.recording import read_recording
 from .take import Take
-from .unread import CAPTURE, CHARACTER, PERFORMANCE, POSE, RECOGNIZED, SCORE, refuse
+from .unused_settings import CAPTURE, CHARACTER, PERFORMANCE, POSE, RECOGNIZED, SCORE, reject, reject_unused
 
 if TYPE_CHECKING:
     from .ports.rig import MuscleCoverage, Rig
@@ -60,11 +60,22 @@ def speak(
     audio = None if audio is None else path_of(audio)
     is_score = script is not None and script.lower().endswith(".json") and not text
     if script is not None and is_score:
-        refuse(settings, SCORE, Place(script), emotion=emotion or (), audio=audio, transcript=transcript)
-        return mix(script, settings=settings, progress=progress)
+        choices = {"emotion": emotion or (), "audio": audio, "transcript": transcript}
+        return _mix(script, settings, BlendChoices(), progress, **choices)
     displays = displays_of(emotion, settings)
     named = Input(script, audio, transcript, text, source, language=settings.language)
-    return perform(named, displays, settings, progress)
+    return perform_input(named, displays, settings, progress)
+
+
+def perform_input(given: Input, emotions: Displays, settings: Settings, progress: Progress = quiet) -> Take:
+    """Read a text, a script or a recording and perform it, showing `emotions` beside those that it marks.
+
+    Raises RisoriusError; UnusedSettingError for settings of a voice where nothing is to be synthesized.
+    """
+    with emotions_of(settings.rules, settings.expression):  # a fault in it is told before anything is spoken
+        source = read(given)
+    reject_unused(source, settings)
+    return perform(source, emotions, settings, progress)
 
 
 def align(
@@ -81,7 +92,7 @@ def align(
     where.
     """
     if transcript is None and language is not None:
-        raise UnreadError(["language"], RECOGNIZED, Place(str(audio)))
+        raise UnusedSettingError(["language"], RECOGNIZED, Place(str(audio)))
     words = read_transcript(_text_or_file(transcript))
     _, utterance = hear(Recording(path_of(audio), words, language=language), progress)
     return combine(Score(utterance.duration, text=utterance.text), Settings(), utterance)
@@ -98,13 +109,20 @@ def mix(
     """Combine the movements of a score file; `conflict`, `onset_function` and the choices of `settings.blend`
     override the score's own.
 
-    Raises RisoriusError; UnreadError for settings of a voice or a plan, which a score has behind it.
+    Raises RisoriusError; UnusedSettingError for settings of a voice or a plan, which a score has behind it.
     """
-    settings, path = checked(settings), path_of(score)
-    refuse(settings, SCORE, Place(str(score)))
+    settings, choices = checked(settings), BlendChoices(conflict=conflict, onset_function=onset_function)
+    return _mix(score, settings, choices, progress)
+
+
+def _mix(
+    score: FileName, settings: Settings, choices: BlendChoices, progress: Progress, **arguments: object
+) -> Take:
+    """Combine the movements of a score file, after a check of the settings, and of other `arguments`."""
+    path = path_of(score)
+    reject(settings, SCORE, Place(str(score)), **arguments)
     file = read_score_file(path)
-    blend = settings.blend.over(file.score.settings)
-    blend = BlendChoices(conflict=conflict, onset_function=onset_function).over(blend)
+    blend = choices.over(settings.blend.over(file.score.settings))
     movements = announced(replace(file.score, settings=blend), settings.fps, progress)
     return combine(movements, settings, file.utterance)
 
@@ -112,13 +130,13 @@ def mix(
 def load(performance: FileName, *, settings: Settings | None = None) -> Take:
     """Read a `.performance.json` back, with its curves as they were written.
 
-    Raises RisoriusError; UnreadError for settings that would change the curves.
+    Raises RisoriusError; UnusedSettingError for settings that would change the curves.
     """
     settings = checked(settings)
     file = read_performance_file(path_of(performance))
     # The file's own frame rate does not count as a change.
     compared = replace(settings, fps=Settings().fps) if settings.fps == file.performance.fps else settings
-    refuse(compared, PERFORMANCE, Place(str(performance)))
+    reject(compared, PERFORMANCE, Place(str(performance)))
     return Take(file.performance, replace(settings, fps=file.performance.fps), file.utterance)
 
 
@@ -132,7 +150,7 @@ def play(
     """Perform a captured face: `.arkit.csv` (or any CSV of Live Link Face), `.fap`, `.au.csv`, or a score.
 
     `audio` is a recording that is heard with it. Raises InputError for a file that cannot be used, and for
-    settings that nothing reads (UnreadError).
+    settings that nothing reads (UnusedSettingError).
     """
     from .face.head import head_of
     from .ports.formats import format_read
@@ -145,7 +163,7 @@ def play(
     elif kind.suffix == ".score.json":
         take = mix(path, settings=settings, progress=progress)
     else:
-        refuse(settings, CAPTURE, Place(str(capture)))
+        reject(settings, CAPTURE, Place(str(capture)))
         file = kind.read(path, ReadOptions(partial(head_of, settings), progress))
         take = combine(announced(file.score, settings.fps, progress), settings, file.utterance)
     return take if audio is None else replace(take, sound=read_recording(path_of(audio)))
@@ -163,10 +181,12 @@ def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Sett
             raise InputError(f"{type(name).__name__} is not the name of a muscle; expected e.g. 'AU12'")
         check_number(name, value)
     settings = checked(settings)
-    refuse(settings, POSE)
+    reject(settings, POSE)
     displays = displays_of(emotion, settings)
     if any((display.start, display.end, display.priority) != (None, None, None) for display in displays):
-        raise UnreadError(["emotion"], "a pose has no times and no priorities; expected NAME:INTENSITY")
+        raise UnusedSettingError(
+            ["emotion"], "a pose has no times and no priorities; expected NAME:INTENSITY"
+        )
     shown = {display.emotion: display.intensity for display in displays}
     keys = {name: ((0.0, value),) for name, value in posed(targets, shown).items()}
     pose_curve = ManualCurve(keys, Cause("pose", "command"))
@@ -195,7 +215,7 @@ def rig(
     from .ports.rig import animated, check_performable, read_rig, report
 
     settings, path = checked(settings), path_of(character)
-    refuse(settings, CHARACTER, Place(str(character)))
+    reject(settings, CHARACTER, Place(str(character)))
     rig = read_rig(path, None if map_file is None else path_of(map_file))
     if take is not None and output is not None:
         (target,) = check_targets((output,))

@@ -82,7 +82,7 @@ class InputError(RisoriusError):
     """The text, markup, score or option that the user gave cannot be used."""
 
 
-class UnreadError(InputError):
+class UnusedSettingError(InputError):
     """Settings were given that nothing reads: `names`, and the `reason` with what is expected instead."""
 
     def __init__(self, names: Sequence[str], reason: str, place: Place | None = None) -> None:
@@ -92,15 +92,15 @@ class UnreadError(InputError):
 
     def __reduce__(self) -> tuple[type[RisoriusError], tuple[object, ...]]:
         """Return the arguments that make the same error in another process."""
-        return UnreadError, (self.names, self.reason, self.place)
+        return UnusedSettingError, (self.names, self.reason, self.place)
 
-    def at(self, place: Place) -> UnreadError:
+    def at(self, place: Place) -> UnusedSettingError:
         """Return the same error with its place, unless it has one already."""
-        return self if self.place is not None else UnreadError(self.names, self.reason, place)
+        return self if self.place is not None else UnusedSettingError(self.names, self.reason, place)
 
-    def spelled(self, spell: Callable[[str], str]) -> UnreadError:
+    def spelled(self, spell: Callable[[str], str]) -> UnusedSettingError:
         """Return the same error with its names as the command line spells them."""
-        return UnreadError([spell(name) for name in self.names], self.reason, self.place)
+        return UnusedSettingError([spell(name) for name in self.names], self.reason, self.place)
 
 
 class ParameterError(InputError):

@@ -1,4 +1,4 @@
-"""The pipeline on one page: input → script → utterance → score → performance.
+"""The pipeline on one page: script → utterance → score → performance.
 
 `perform` is all of it. A `Take` holds what comes out and makes the rest when asked: faces, pictures, files.
 """
@@ -18,19 +18,25 @@ from .rules.profiles import attitude, profile_of
 from .rules.rule_set import emotions_of, rule_set_of
 from .script import Script
 from .settings import Settings
-from .speech import VOICE_SETTINGS, Input, SpokenBefore, feelings, hear, read, synthesize_script
+from .speech import VOICE_SETTINGS, SpeechSource, SpokenBefore, feelings, hear, synthesize_script
 from .take import Take, lip_rig, with_profile
-from .unread import refuse_unread
 
 
-def perform(given: Input, emotions: Displays, settings: Settings, progress: Progress = quiet) -> Take:
-    """Perform a text, a script or a recording, showing `emotions` beside those that it marks."""
-    with emotions_of(settings.rules, settings.expression):  # a fault in it is told before anything is spoken
-        source = read(given)
-        refuse_unread(source, settings)
+def perform(
+    source: SpeechSource,
+    emotions: Displays,
+    settings: Settings,
+    progress: Progress = quiet,
+    before: SpokenBefore | None = None,
+) -> Take:
+    """Perform a script or a recording, showing `emotions` beside those that it marks.
+
+    What was spoken `before` is not spoken again; what is spoken is added to it.
+    """
+    with emotions_of(settings.rules, settings.expression):
         settings = with_profile(settings)
         if isinstance(source, Script):
-            script, utterance = source, speak(source, emotions, settings, progress, given.before)
+            script, utterance = source, speak(source, emotions, settings, progress, before)
         else:
             script, utterance = hear(source, progress)
         score = compose(script, utterance, emotions, settings)

@@ -21,7 +21,7 @@ from .core import look as looks
 from .core.frame_rate import parse_fps
 from .core.setting import Group, Row, Stage, ValueKind, check, rows, setting
 from .core.units import MAX_SECONDS
-from .errors import InputError, UnreadError, unknown
+from .errors import InputError, UnusedSettingError, unknown
 
 if TYPE_CHECKING:
     from .core.score import BlendSettings
@@ -310,7 +310,7 @@ class Settings(metaclass=Named):
                 kind = type(getattr(self, name)).__name__
                 raise InputError(f"{name} is {kind}; expected risorius.{group.__name__}(…)")
         if self.at is not None and self.every is not None:
-            raise UnreadError(["at"], "every makes a sheet of the whole clip; expected at or every")
+            raise UnusedSettingError(["at"], "every makes a sheet of the whole clip; expected at or every")
 
     __repr__ = _shown
 # fmt: on

@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 
 import pytest
+from risorius.speech.say import say
 
 from risorius.blend.conflict import POLICIES
 from risorius.blend.mouth.coarticulation import LIP_MODELS
@@ -16,7 +17,6 @@ from risorius.render.lights import DARK, DAYLIGHT, RIGS, STUDIO
 from risorius.rules.expressions import expressions
 from risorius.rules.lips import lip_table
 from risorius.settings import BlendChoices, Settings
-from risorius.speech.say import say
 from risorius.speech.synthesis import synthesize
 
 

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from risorius import Live
-from risorius.errors import RisoriusError, SpeechError, UnreadError
+from risorius.errors import RisoriusError, SpeechError, UnusedSettingError
 from risorius.live import beside
 from risorius.live.beside import LostError, PerformerBeside, PerformerProcess
 from risorius.live.frame import LiveFrame
@@ -162,7 +162,8 @@ def test_a_paced_face_does_not_wait_for_what_joins_before_the_last_call(
 
 
 @pytest.mark.parametrize(
-    "error", [SpeechError("it ended"), UnreadError(["lead"], "nothing reads it"), RisoriusError("a" * 300)]
+    "error",
+    [SpeechError("it ended"), UnusedSettingError(["lead"], "nothing reads it"), RisoriusError("a" * 300)],
 )
 def test_errors_come_through_as_they_are(error: RisoriusError) -> None:
     again = pickle.loads(pickle.dumps(error))

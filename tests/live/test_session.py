@@ -18,7 +18,7 @@ from risorius.core.parameters import INDEX, NAMES, PARAMETERS, Kind
 from risorius.core.performance import Performance, frame_count
 from risorius.core.score import Score
 from risorius.core.utterance import Phone, Utterance, Word
-from risorius.errors import InputError, ParameterError, RisoriusError, SpeechError, UnreadError
+from risorius.errors import InputError, ParameterError, RisoriusError, SpeechError, UnusedSettingError
 from risorius.languages import language_of
 from risorius.live.frame import LiveFrame
 from risorius.live.pace import Pace
@@ -226,7 +226,7 @@ def test_paced_and_async_forms_yield_the_same_frames(monkeypatch: pytest.MonkeyP
 
 def test_pauses_that_nothing_reads_are_refused() -> None:
     for chosen in (Settings(lead=1.0), Settings(tail=2.0)):
-        with pytest.raises(UnreadError, match="sets its own pauses"):
+        with pytest.raises(UnusedSettingError, match="sets its own pauses"):
             live(30, chosen)
 
 

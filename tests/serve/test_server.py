@@ -27,9 +27,9 @@ from risorius.live.voice import VoicedPhrase
 from risorius.pipeline import perform
 from risorius.ports.glb_file import GlbFile
 from risorius.ports.rig import Rig
+from risorius.script import Script
 from risorius.serve import limits
 from risorius.serve.server import ServeOptions
-from risorius.speech import Input
 
 from .running import Client, Running, running, sound_of, unpacked
 
@@ -207,12 +207,12 @@ def test_one_that_reads_nothing_goes_and_the_others_stay(
 
 
 def test_an_engine_that_dies_is_one_message(client: Client, monkeypatch: pytest.MonkeyPatch) -> None:
-    def dying(given: Input, *choices: Any, **options: Any) -> Take:
-        if "dies" in str(given.script):
+    def dying(script: Script, *choices: Any, **options: Any) -> Take:
+        if "dies" in script.text:
             raise SpeechError("the voice ended")
-        return perform(given, *choices, **options)
+        return perform(script, *choices, **options)
 
-    monkeypatch.setattr("risorius.live.performer.perform_input", dying)
+    monkeypatch.setattr("risorius.live.performer.perform", dying)
     monkeypatch.setattr("risorius.live.session.performer_beside", LocalPerformer)
     client.start(fps=20)
     client.send("say", text="It dies. ")

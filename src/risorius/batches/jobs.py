@@ -9,7 +9,7 @@ from pathlib import Path
 
 from ..api import displays_of
 from ..core.paths import is_utf8
-from ..errors import InputError, Place, RisoriusError, UnreadError
+from ..errors import InputError, Place, RisoriusError, UnusedSettingError
 from ..ports.targets import Target, check_alpha
 from ..rules.emotions import Displays
 from ..rules.profiles import attitude
@@ -19,7 +19,7 @@ from ..settings import Settings, settings_of
 from ..speech import Input, read
 from ..speech.input import TRANSCRIPT_SUFFIXES
 from ..take import with_profile
-from ..unread import SCORE, refuse, refuse_unread, refuse_unwritten
+from ..unused_settings import SCORE, reject, reject_unused, reject_unwritten
 from .columns import check_columns, normal, setting_columns
 from .manifest import ManifestRow
 from .patterns import OutputPattern, checked_part
@@ -84,7 +84,7 @@ class JobMaker:
         of_row = "emotion" in cells
         emotions = displays_of(_several(cells["emotion"]), settings) if of_row else self.emotions
         outputs = tuple(pattern.name(cells) for pattern in self.patterns)
-        refuse_unwritten(settings, [pattern.format for pattern in self.patterns])
+        reject_unwritten(settings, [pattern.format for pattern in self.patterns])
         if settings.look.transparent:
             check_alpha(Target(local_path(pattern.text), pattern.format) for pattern in self.patterns)
         sheet = None if self.sheets is None else str(self.sheets / f"{name}.png")
@@ -135,7 +135,7 @@ def at_row(place: Place) -> Iterator[None]:
     try:
         yield
     except RisoriusError as error:
-        kind = InputError if isinstance(error, UnreadError) else type(error)
+        kind = InputError if isinstance(error, UnusedSettingError) else type(error)
         message = error.message if error.place is None else f"{error.place}: {error.message}"
         raise kind(message, place) from None
 
@@ -149,7 +149,7 @@ def check_job(job: BatchJob) -> None:
 def _check_job(job: BatchJob) -> None:
     settings = job.settings
     if job.is_score:
-        refuse(settings, SCORE, Place(str(job.given.script)), emotion=job.emotions, audio=job.given.audio)
+        reject(settings, SCORE, Place(str(job.given.script)), emotion=job.emotions, audio=job.given.audio)
         return
     with_profile(settings)
     rule_set_of(settings.rules)
@@ -158,7 +158,7 @@ def _check_job(job: BatchJob) -> None:
     if not any(map(is_remote, filter(None, (job.given.script, job.given.transcript)))):
         with emotions_of(settings.rules, settings.expression):
             source = read(job.given)
-        refuse_unread(source, settings)
+        reject_unused(source, settings)
         if isinstance(source, Script) and not source.lines and not source.marks:
             raise InputError("says and shows nothing; expected words or marks")
 

@@ -85,8 +85,7 @@ def _perform_and_write(job: BatchJob) -> Take:
 
 def perform(job: BatchJob) -> Take:
     """Return the take of a job whose files are all here."""
-    from ..api import speak
-    from ..pipeline import perform as perform_input
+    from ..api import perform_input, speak
 
     if job.is_score:
         return speak(job.given.script, emotion=job.emotions, settings=job.settings)

@@ -35,5 +35,5 @@ def perform_text(text: str, displays: Displays, settings: Settings) -> Take | Re
     try:
         return speak(text, text=True, emotion=displays, settings=settings)
     except RisoriusError as error:
-        kind = "InputError" if isinstance(error, errors.UnreadError) else type(error).__name__
+        kind = "InputError" if isinstance(error, errors.UnusedSettingError) else type(error).__name__
         return Refusal(kind, error.message, error.place)

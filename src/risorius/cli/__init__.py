@@ -15,7 +15,7 @@ import click
 from .. import __version__
 from ..core.garbage import collect_no_more, collect_seldom
 from ..core.paths import is_file
-from ..errors import LONGEST_LINE, Place, RisoriusError, UnreadError, nearest, printable, shortened
+from ..errors import LONGEST_LINE, Place, RisoriusError, UnusedSettingError, nearest, printable, shortened
 from .align import align
 from .batch import batch
 from .console import EXIT_INTERRUPTED, interrupt
@@ -70,7 +70,7 @@ def run(arguments: list[str]) -> int:
         return _fault(_unknown_option(error))
     except click.ClickException as error:
         return _fault(error.format_message())
-    except UnreadError as error:
+    except UnusedSettingError as error:
         return _fault(str(error.spelled(flag)), error.place)
     except RisoriusError as error:
         return _fault(str(error), error.place)

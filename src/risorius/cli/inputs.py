@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from ..errors import InputError, UnreadError
+from ..errors import InputError, UnusedSettingError
 from .options import F, emotion_option, option
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ class Spoken:
         if self.source is None and self.audio is None:
             raise InputError("nothing to perform; expected a text, a file or --audio")
         if self.source is None and self.is_text:
-            raise UnreadError(["text"], "INPUT is missing; expected a text, or --transcript TEXT")
+            raise UnusedSettingError(["text"], "INPUT is missing; expected a text, or --transcript TEXT")
 
     def perform(self, settings: Settings, progress: Progress) -> Take:
         """Perform it; `-` is the text on standard input."""

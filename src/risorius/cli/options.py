@@ -274,9 +274,9 @@ def check_outputs(
     """
     from ..ports.formats import Need
     from ..ports.targets import check_targets
-    from ..unread import refuse_unwritten
+    from ..unused_settings import reject_unwritten
 
     alpha = settings is not None and settings.look.transparent
     targets = check_targets(outputs, tuple(Need) if available is None else available, alpha=alpha)
     if settings is not None:
-        refuse_unwritten(settings, [target.format for target in targets])
+        reject_unwritten(settings, [target.format for target in targets])

@@ -9,7 +9,7 @@ import click
 
 from ..core.names import Names
 from ..core.setting import Stage
-from ..errors import InputError, UnreadError
+from ..errors import InputError, UnusedSettingError
 from .console import Console
 from .inputs import Spoken, input_options
 from .options import (
@@ -104,7 +104,7 @@ def stream(
     options = Options(**{name: value for name, value in stream_options.items() if value is not None})
     check_options(protocol, options)
     if listen is None and patience != PATIENCE:
-        raise UnreadError(["patience"], "only --listen waits for a greeting; expected it as well")
+        raise UnusedSettingError(["patience"], "only --listen waits for a greeting; expected it as well")
     if to is not None and listen is not None:
         raise InputError("--to and --listen exclude each other; expected one of them")
     to = to or "127.0.0.1"

@@ -8,7 +8,7 @@ import threading
 import time
 from typing import TYPE_CHECKING
 
-from ..errors import InputError, Place, RisoriusError, UnreadError
+from ..errors import InputError, Place, RisoriusError, UnusedSettingError
 
 if TYPE_CHECKING:
     from ..live.session import Live
@@ -27,7 +27,7 @@ def face_of(settings: Settings, emotions: Displays) -> Live:
     face = Live(settings, arkit=True)
     for display in emotions:
         if (display.start, display.end, display.priority) != (None, None, None):
-            raise UnreadError(
+            raise UnusedSettingError(
                 ["emotion"], "text that is still being written has no times; expected NAME:INTENSITY"
             )
         face.feel(display.emotion, display.intensity)

@@ -13,10 +13,11 @@ import numpy as np
 from ..core.arrays import Array
 from ..core.audio import Samples
 from ..errors import warnings_to
-from ..pipeline import perform as perform_input
+from ..pipeline import perform
 from ..rules.emotions import Displays
+from ..script import read_script
 from ..settings import Settings
-from ..speech import Input, SpokenBefore
+from ..speech import SpokenBefore
 from ..speech.engines.registry import is_voice_file, load_engine
 from ..speech.engines.voices import find_voice
 from ..take import Take
@@ -39,8 +40,8 @@ def perform_sentence(
 
     Speech from `before` is not spoken again; what is spoken is added to it.
     """
-    given = Input(text, text=True, name="live", language=settings.language, before=before)
-    return perform_input(given, feelings, settings)
+    script = read_script(text, text=True, source="live")
+    return perform(script, feelings, settings, before=before)
 
 
 def language_spoken(settings: Settings) -> str:

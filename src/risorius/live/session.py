@@ -19,7 +19,7 @@ from ..channels.eye_head import Angles
 from ..channels.gaze import LISTENER
 from ..core.arrays import Array
 from ..core.frame_rate import parse_fps
-from ..errors import InputError, ParameterError, UnreadError, check_number, unknown
+from ..errors import InputError, ParameterError, UnusedSettingError, check_number, unknown
 from ..rules.emotions import Displays, emotion_names
 from ..settings import Settings
 from ..take import with_profile
@@ -87,7 +87,7 @@ class Live:
             chosen = replace(chosen, fps=parse_fps(fps))
         changed = [name for name in ("lead", "tail") if getattr(chosen, name) != getattr(Settings(), name)]
         if changed:
-            raise UnreadError(changed, "a live face sets its own pauses; leave them at their defaults")
+            raise UnusedSettingError(changed, "a live face sets its own pauses; leave them at their defaults")
         self._settings = replace(chosen, lead=SEAM, tail=TAIL)
         self._idle_settings = with_profile(self._settings)
         self._performer: TurnPerformer = LocalPerformer(perform)

@@ -3,7 +3,7 @@
 from .affect import feelings
 from .engines.voices import voices
 from .from_recording import LabelledRecording, Recording, hear
-from .input import Input, read, read_transcript
+from .input import Input, SpeechSource, read, read_transcript
 from .spoken import SpokenBefore
 from .synthesis import VOICE_SETTINGS, synthesize_line, synthesize_script
 
@@ -12,6 +12,7 @@ __all__ = [
     "Input",
     "LabelledRecording",
     "Recording",
+    "SpeechSource",
     "SpokenBefore",
     "feelings",
     "hear",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
 
@@ -10,10 +10,12 @@ from ..errors import InputError, Place
 from ..script import Script, parse_script, read_script
 from ..script.files import names_something, read_text
 from .from_recording import LabelledRecording, Recording
-from .spoken import SpokenBefore
 
 LABELS_SUFFIX = ".textgrid"
 TRANSCRIPT_SUFFIXES = (".txt", ".lab")
+
+SpeechSource = Script | Recording | LabelledRecording
+"""A script that is to be spoken, or a recording with its known words."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,8 +25,7 @@ class Input:
     `script`: a text or the name of a file, a TextGrid among them; `text` takes it as a text whatever it looks
     like, `name` stands for it in messages. `audio`: the file of a recording; `transcript`: its words, or the
     name of a file with them; `language`: that of a recording's words. `content`: what the file `script`
-    holds, if it is not to be read from there. Speech from `before` is not spoken again; what is spoken is
-    added to it.
+    holds, if it is not to be read from there.
     """
 
     script: str | None = None
@@ -34,7 +35,6 @@ class Input:
     name: str = "text"
     content: str | None = None
     language: str | None = None
-    before: SpokenBefore | None = field(default=None, compare=False)
 
     @property
     def labels(self) -> str | None:
@@ -43,7 +43,7 @@ class Input:
         return self.script if named else None
 
 
-def read(source: Input) -> Script | Recording | LabelledRecording:
+def read(source: Input) -> SpeechSource:
     """Return a script that is to be spoken, or a recording with its known words.
 
     Raises InputError, with its place, for what is missing, does not fit together or cannot be read; whether

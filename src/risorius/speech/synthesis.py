@@ -18,7 +18,6 @@ from .affect import Feeling, coloured, common_manner, written_words
 from .assembly.assemble import Assembler, SpokenText
 from .engines.protocol import SpeechEngine
 from .engines.registry import is_voice_file
-from .engines.voices import find_voice
 from .prosody.measure import pitched
 from .prosody.pitch import measure_pitch
 from .speaker import KnownRenditions, Speaker, find_speaker
@@ -63,15 +62,13 @@ def synthesize_script(
     if code is None and (voice is None or is_voice_file(voice)):
         code = script.language
     try:
-        if voice is None or not is_voice_file(voice):
-            find_voice(voice, code)
-        progress("Speaking …")
         speaker = replace(
             find_speaker(voice, code),
             rate=rate,
             spoken=None if before is None else before.renditions,
             progress=partial(_tell, progress) if len(script.text) > _LONG else None,
         )
+        progress("Speaking …")
         manner = common_manner(felt)
         silences = (0.0, 0.0) if script.timed else (lead, tail)
         if manner is not None:

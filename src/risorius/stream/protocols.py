@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from ..core.arrays import Array
 from ..core.registry import Registry
-from ..errors import InputError, UnreadError, unknown
+from ..errors import InputError, UnusedSettingError, unknown
 
 NAMES = ("vrm0", "vrm1", "arkit", "ARKit")
 
@@ -93,10 +93,12 @@ def register(
 
 
 def check_options(name: str, options: Options) -> None:
-    """Raise UnreadError for options that are given and that the protocol `name` does not read."""
+    """Raise UnusedSettingError for options that are given and that the protocol `name` does not read."""
     usual, reads = Options(), PROTOCOLS.get(name).reads
     changed = [f.name for f in fields(options) if getattr(options, f.name) != getattr(usual, f.name)]
     unread = [option for option in changed if option not in reads]
     if unread:
         readers = [other for other in PROTOCOLS if unread[0] in PROTOCOLS.get(other).reads]
-        raise UnreadError(unread, f"{name} does not use it; expected the protocol {' or '.join(readers)}")
+        raise UnusedSettingError(
+            unread, f"{name} does not use it; expected the protocol {' or '.join(readers)}"
+        )

@@ -21,7 +21,7 @@ from ..speech import LabelledRecording, Recording, hear
 from ..speech.recordings.recording import read_recording
 from ..speech.structure.edges_moved import EdgeShift, with_edges
 from ..take import with_profile
-from ..unread import values_read
+from ..unused_settings import values_read
 from . import limits
 from .choices import blend_of, settings_of
 from .scores import adopted, parsed, read_score

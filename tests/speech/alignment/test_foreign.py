@@ -10,7 +10,7 @@ import pytest
 
 import risorius
 from risorius.core.utterance import SILENCE, Word
-from risorius.errors import InputError, UnreadError
+from risorius.errors import InputError, UnusedSettingError
 from risorius.speech.alignment import align
 from risorius.speech.alignment.aligner import owned
 from risorius.speech.alignment.decoder import AlignedPhone
@@ -72,9 +72,9 @@ def test_every_phone_of_a_word_has_parts_and_english_keeps_its_readings() -> Non
 
 
 def test_a_language_needs_words(tmp_path: Path) -> None:
-    with pytest.raises(UnreadError, match="recognized as English only"):
+    with pytest.raises(UnusedSettingError, match="recognized as English only"):
         risorius.align(tmp_path / "x.wav", language="de")
-    with pytest.raises(UnreadError, match="recognized as English only"):
+    with pytest.raises(UnusedSettingError, match="recognized as English only"):
         risorius.speak(audio=tmp_path / "x.wav", settings=risorius.Settings(language="de"))
-    with pytest.raises(UnreadError, match="language has no effect: the voice is recorded"):
+    with pytest.raises(UnusedSettingError, match="language has no effect: the voice is recorded"):
         risorius.speak("x.TextGrid", audio=tmp_path / "x.wav", settings=risorius.Settings(language="de"))

@@ -1,4 +1,4 @@
-"""Settings that nothing reads are refused by name: a setting counts as given where it is not the default."""
+"""Reject settings that nothing reads, by name; a setting counts as given unless it is the default."""
 
 from __future__ import annotations
 
@@ -7,13 +7,12 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from .core.setting import Row, Stage, rows
-from .errors import Place, UnreadError
+from .errors import Place, UnusedSettingError
 from .ports.formats import FileFormat, Need
 from .settings import Settings
 
 if TYPE_CHECKING:
-    from .script import Script
-    from .speech import LabelledRecording, Recording
+    from .speech import SpeechSource
 
 SHOWN = (Stage.HEAD, Stage.SHAPE, Stage.SKIN, Stage.APPEARANCE, Stage.PICTURE)
 
@@ -108,15 +107,15 @@ def chosen(settings: Settings) -> Iterator[str]:
             yield name
 
 
-def refuse_unwritten(settings: Settings, formats: Iterable[FileFormat]) -> None:
-    """Raise UnreadError for settings that change none of the files that are written."""
+def reject_unwritten(settings: Settings, formats: Iterable[FileFormat]) -> None:
+    """Raise UnusedSettingError for settings that change none of the files that are written."""
     formats = tuple(formats)
     stages = {stage for written in formats for need in written.needs for stage in NEEDED[need]}
     names = {name for written in formats for name in written.reads}
     table = rows(Settings)
-    unread = [n for n in chosen(settings) if n not in names and table[n].entry.stage not in stages]
-    if unread:
-        raise UnreadError(unread, UNWRITTEN[table[unread[0]].entry.stage])
+    unused = [n for n in chosen(settings) if n not in names and table[n].entry.stage not in stages]
+    if unused:
+        raise UnusedSettingError(unused, UNWRITTEN[table[unused[0]].entry.stage])
 
 
 def values_read(settings: Settings, stage: Stage) -> tuple[object, ...]:
@@ -125,35 +124,37 @@ def values_read(settings: Settings, stage: Stage) -> tuple[object, ...]:
     return tuple(_value(settings, row) for row in table if row.entry.stage is stage)
 
 
-def refuse(settings: Settings, kind: InputKind, place: Place | None = None, **arguments: object) -> None:
-    """Raise UnreadError for settings that no stage of an input reads, and for `arguments` but None and ()."""
-    unread = [name for name, value in arguments.items() if value is not None and value != ()]
-    unread += [
+def reject(settings: Settings, kind: InputKind, place: Place | None = None, **arguments: object) -> None:
+    """Raise UnusedSettingError for settings that no stage of an input reads, and for `arguments` except None
+    and ().
+    """
+    unused = [name for name, value in arguments.items() if value is not None and value != ()]
+    unused += [
         name
         for name in chosen(settings)
         if rows(Settings)[name].entry.stage not in kind.stages and name not in kind.also
     ]
-    if unread:
-        raise UnreadError(unread, kind.reason, place)
+    if unused:
+        raise UnusedSettingError(unused, kind.reason, place)
 
 
-def refuse_unread(source: Script | Recording | LabelledRecording, settings: Settings) -> None:
-    """Raise UnreadError for settings of a synthesized voice that a source has no use for."""
+def reject_unused(source: SpeechSource, settings: Settings) -> None:
+    """Raise UnusedSettingError for settings of a synthesized voice that a source has no use for."""
     from .speech import LabelledRecording, Recording  # loaded already by what made the source
 
     if isinstance(source, Recording):
-        refuse(settings, RECORDING, Place(str(source.audio)))
+        reject(settings, RECORDING, Place(str(source.audio)))
         if settings.language is not None and source.transcript is None and source.script is None:
-            raise UnreadError(["language"], RECOGNIZED, Place(str(source.audio)))
+            raise UnusedSettingError(["language"], RECOGNIZED, Place(str(source.audio)))
     elif isinstance(source, LabelledRecording):
         kind = LABELS if source.audio is None else replace(RECORDING, also=())
-        refuse(settings, kind, Place(str(source.audio or source.labels)))
+        reject(settings, kind, Place(str(source.audio or source.labels)))
     elif not source.lines:
-        refuse(settings, SILENCE)
+        reject(settings, SILENCE)
     elif source.timed:
-        unread = [name for name in chosen(settings) if name in ("lead", "tail")]
-        if unread:
-            raise UnreadError(unread, SCHEDULED)
+        unused = [name for name in chosen(settings) if name in ("lead", "tail")]
+        if unused:
+            raise UnusedSettingError(unused, SCHEDULED)
 
 
 def _value(settings: Settings, row: Row) -> Any:

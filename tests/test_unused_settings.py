@@ -12,10 +12,10 @@ import pytest
 
 import risorius
 from risorius.cli import EXIT_FAULT, run
-from risorius.errors import Place, UnreadError
+from risorius.errors import Place, UnusedSettingError
 from risorius.ports.formats import format_for
 from risorius.settings import BlendChoices, Look, Settings
-from risorius.unread import chosen, refuse_unwritten
+from risorius.unused_settings import chosen, reject_unwritten
 
 from .collected import all_cases
 
@@ -48,7 +48,7 @@ def test_a_score_refuses_settings_of_voice_and_plan(
     with all_cases() as case:
         for setting in PLANNING:
             with case(setting):
-                with pytest.raises(UnreadError) as refused:
+                with pytest.raises(UnusedSettingError) as refused:
                     perform(score, settings=Settings(**setting))  # type: ignore[arg-type]
                 assert refused.value.names == tuple(setting)
                 assert refused.value.place == Place(score)
@@ -61,7 +61,7 @@ def test_a_score_refuses_settings_of_voice_and_plan(
 )
 def test_a_score_refuses_what_is_said_and_felt(argument: dict[str, object], score: str) -> None:
     with pytest.raises(
-        UnreadError, match=f"^x.score.json: {next(iter(argument))} has no effect: the movements"
+        UnusedSettingError, match=f"^x.score.json: {next(iter(argument))} has no effect: the movements"
     ):
         risorius.speak(score, **argument)  # type: ignore[arg-type]
 
@@ -122,7 +122,7 @@ VOICED = [setting for setting in PLANNING[:6] if "language" not in setting]
 
 @pytest.mark.parametrize("setting", VOICED, ids=lambda setting: next(iter(setting)))
 def test_a_recording_refuses_choices_of_a_synthesized_voice(setting: dict[str, object]) -> None:
-    with pytest.raises(UnreadError, match=r"^x\.wav: .* has no effect: the voice is recorded"):
+    with pytest.raises(UnusedSettingError, match=r"^x\.wav: .* has no effect: the voice is recorded"):
         risorius.speak("Oh.", audio="x.wav", settings=Settings(**setting))  # type: ignore[arg-type]
 
 
@@ -130,11 +130,11 @@ def test_labels_and_silent_and_timed_scripts_refuse_what_no_voice_reads(tmp_path
     silent, timed = tmp_path / "a.bml", tmp_path / "b.xml"
     silent.write_text('<bml><head id="nod" lexeme="NOD" start="0" end="1" /></bml>')
     timed.write_text('<PHONEME time="0" text="Oh." />')
-    with pytest.raises(UnreadError, match="rate has no effect: the words are timed by a TextGrid"):
+    with pytest.raises(UnusedSettingError, match="rate has no effect: the words are timed by a TextGrid"):
         risorius.speak("x.TextGrid", settings=Settings(rate=100))
-    with pytest.raises(UnreadError, match="rate has no effect: the script has no words"):
+    with pytest.raises(UnusedSettingError, match="rate has no effect: the script has no words"):
         risorius.speak(str(silent), settings=Settings(rate=100))
-    with pytest.raises(UnreadError, match="lead has no effect: the times of this script are absolute"):
+    with pytest.raises(UnusedSettingError, match="lead has no effect: the times of this script are absolute"):
         risorius.speak(str(timed), settings=Settings(lead=1.0, rate=200))
 
 
@@ -149,16 +149,16 @@ def test_a_performance_keeps_its_curves(score: str) -> None:
         Settings(blend=BlendChoices(conflict="sum")),
         Settings(seed=1),
     ):
-        with pytest.raises(UnreadError, match="the curves of a performance are final"):
+        with pytest.raises(UnusedSettingError, match="the curves of a performance are final"):
             risorius.play("x.performance.json", settings=settings)
 
 
 def test_a_capture_a_pose_and_a_character_refuse_what_they_do_not_read() -> None:
-    with pytest.raises(UnreadError, match=r"^x\.au\.csv: conflict has no effect: a captured face"):
+    with pytest.raises(UnusedSettingError, match=r"^x\.au\.csv: conflict has no effect: a captured face"):
         risorius.play("x.au.csv", settings=Settings(blend=BlendChoices(conflict="sum")))
-    with pytest.raises(UnreadError, match="fps, at have no effect: a pose"):
+    with pytest.raises(UnusedSettingError, match="fps, at have no effect: a pose"):
         risorius.pose({}, settings=Settings(at=1.0, fps=Fraction(25)))
-    with pytest.raises(UnreadError, match=r"^x\.glb: style has no effect: a character"):
+    with pytest.raises(UnusedSettingError, match=r"^x\.glb: style has no effect: a character"):
         risorius.rig("x.glb", settings=Settings(look=Look(style="clay")))
 
 
@@ -220,7 +220,7 @@ def test_what_changes_no_output_is_refused(
     ],
 )
 def test_what_changes_one_output_is_not_refused(settings: Settings, outputs: list[str]) -> None:
-    refuse_unwritten(settings, [format_for(Path(name)) for name in outputs])
+    reject_unwritten(settings, [format_for(Path(name)) for name in outputs])
 
 
 def test_what_is_chosen_is_what_is_not_the_default() -> None:
@@ -230,5 +230,5 @@ def test_what_is_chosen_is_what_is_not_the_default() -> None:
 
 
 def test_an_error_is_spelled_as_options() -> None:
-    error = UnreadError(["seed", "lively"], "why").at(Place("x"))
+    error = UnusedSettingError(["seed", "lively"], "why").at(Place("x"))
     assert str(error.spelled(lambda name: f"--{name}")) == "x: --seed, --lively have no effect: why"
