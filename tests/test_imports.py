@@ -20,7 +20,7 @@ ROOT = Path(risorius.__file__).parent
 GROUND = {"errors"}
 WORDS = {"core", "languages", "rules", "script", "speech"}
 TAKE = WORDS | {"channels", "blend", "face", "looks", "render", "ports", "settings"}
-PIPELINE = TAKE | {"unused_settings", "take"}
+PIPELINE = TAKE | {"unused_settings", "solvers", "take"}
 LIBRARY = PIPELINE | {"presets", "pipeline", "api", "live", "batches"}
 
 # From the ground up: each package, or module of the top level, and what it may import beside itself and the
@@ -45,7 +45,8 @@ MAY_IMPORT: Mapping[str, set[str]] = {
     "ports": {"core", "browser", "languages", "script", "face", "looks", "render"},
     "unused_settings": {"core", "speech", "ports", "settings"},
     "notebook": {"core", "render"},
-    "take": TAKE | {"notebook"},
+    "solvers": {"core", "rules", "face", "settings", "unused_settings"},
+    "take": TAKE | {"notebook", "solvers"},
     "pipeline": PIPELINE - {"face", "looks", "render", "ports", "unused_settings"},
     "api": PIPELINE | {"pipeline"},
     "speaking": PIPELINE | {"api"},

@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from risorius import api, pipeline, take
+from risorius import api, pipeline
+from risorius import solvers as solvers_module
 from risorius.core.progress import quiet
 from risorius.core.score import Score
 from risorius.core.setting import Row, Stage, rows
@@ -24,6 +25,7 @@ from risorius.errors import RisoriusError, UnusedSettingError
 from risorius.rules.emotions import Display
 from risorius.script import Script, parse_script
 from risorius.settings import Settings, settings_of
+from risorius.solvers import solver_key
 from risorius.unused_settings import (
     CAPTURE,
     CHARACTER,
@@ -35,7 +37,6 @@ from risorius.unused_settings import (
     SCORE,
     SILENCE,
     InputKind,
-    values_read,
 )
 
 from .collected import all_cases
@@ -52,11 +53,11 @@ ANGRY = (Display("anger", 1.0),)
 @pytest.fixture(scope="module")
 def solvers() -> Callable[[Settings], Any]:
     """Make one solver for all settings that the face reads alike."""
-    made: dict[str, Any] = {}
-    make = take.make_solver
+    made: dict[object, Any] = {}
+    make = solvers_module.make_solver
 
     def solver(settings: Settings) -> Any:
-        key = repr([values_read(settings, stage) for stage in (Stage.HEAD, Stage.SHAPE, Stage.SKIN)])
+        key = solver_key(settings)
         return made[key] if key in made else made.setdefault(key, make(settings))
 
     return solver
@@ -132,7 +133,7 @@ def test_every_setting_changes_an_output(
     solvers: Callable[[Settings], Any],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(take, "make_solver", solvers)
+    monkeypatch.setattr(solvers_module, "make_solver", solvers)
     base = SKIN if stage is Stage.APPEARANCE else BASE
     usual = outcome(stage, base, spoken, score)
     with all_cases() as case:

@@ -13,7 +13,7 @@ from PIL import Image
 import risorius
 from risorius.core.parameters import INDEX
 from risorius.settings import Settings
-from risorius.take import make_solver
+from risorius.solvers import make_solver
 
 SHAPE = {"jaw_width": 1.0, "cheekbones": 1.0, "nose_width": 1.0}
 

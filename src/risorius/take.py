@@ -9,7 +9,7 @@ from functools import cached_property
 from itertools import repeat
 from numbers import Integral
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -25,6 +25,7 @@ from .core.utterance import Utterance
 from .errors import InputError, check_number
 from .rules.profiles import profile_of
 from .settings import Settings, parse_size
+from .solvers import SolverCache
 
 if TYPE_CHECKING:
     from .blend import Explanation, Plan, Tally, Trace
@@ -316,19 +317,12 @@ class HeadCache:
     """
 
     def __init__(self, most: int = 3) -> None:
-        self._most = most
-        self._solvers: dict[object, FaceSolver] = {}
+        self._solvers = SolverCache(most)
         self._prepared: tuple[RendererSetup, Renderer] | None = None
 
     def solver(self, settings: Settings) -> FaceSolver:
-        """Return a solver as `make_solver` does, as the newest entry; the oldest beyond `most` go."""
-        shape, wrinkles = (tuple(sorted(amounts.items())) for amounts in (settings.shape, settings.wrinkles))
-        key = settings.head, settings.age, settings.dynamics, shape, wrinkles, settings.rules
-        solver = self._solvers.pop(key, None) or make_solver(settings)
-        self._solvers[key] = solver
-        while len(self._solvers) > self._most:
-            del self._solvers[next(iter(self._solvers))]
-        return solver
+        """Return a solver as `make_solver` does, which stays here as the newest."""
+        return self._solvers.shared(settings)
 
     def renderer(self, setup: RendererSetup) -> Renderer:
         """Return the renderer that was prepared, if it draws the same pictures, or else open one."""
@@ -355,21 +349,6 @@ def _counted(faces: Iterator[FaceFrame], total: int, progress: Progress) -> Iter
     for done, face in enumerate(faces, 1):
         yield face
         progress("Solving", done, total)
-
-
-def make_solver(settings: Settings) -> FaceSolver:
-    """Return a solver for the head, wrinkles and skin that settings choose; HeadError as `head_of`."""
-    from .face.head import head_of
-    from .face.links import Links, link_rows
-    from .face.solve import FaceSolver
-    from .rules.rule_set import rule_set_of
-
-    head = head_of(settings)
-    phases: Literal["linear", "biphasic"] = "biphasic" if settings.dynamics == "biphasic" else "linear"
-    rows = link_rows(head.links_file)
-    if settings.rules is not None:  # the package's own rules, which take a tenth of a second, change no head
-        rows = rule_set_of(settings.rules).tables.links(rows)
-    return FaceSolver(head, Links.of(rows), phases, age=head.identity.age, wrinkles=settings.wrinkles)
 
 
 def lip_rig(score: Score, head: str) -> LipRig | None:

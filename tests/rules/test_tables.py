@@ -133,7 +133,8 @@ def test_the_own_rules_change_no_links() -> None:
 
 
 def test_a_changed_link_moves_the_skin(tmp_path: Path) -> None:
-    from risorius.take import make_solver, with_profile
+    from risorius.solvers import make_solver
+    from risorius.take import with_profile
 
     file = tmp_path / "mine.toml"
     file.write_text(entry("links.frontalis_medialis.frontalis_lateralis", "weight = 1.0"))

@@ -11,8 +11,9 @@ import numpy as np
 import pytest
 from websockets.exceptions import InvalidStatus
 
+from risorius import solvers
 from risorius.errors import OutputError
-from risorius.studio import limits, solvers, streaming
+from risorius.studio import limits, streaming
 from risorius.studio.server import serve
 from risorius.studio.solvers import stage_of
 

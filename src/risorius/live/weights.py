@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 import os
 from collections import deque
-from collections.abc import Iterator, Mapping
+from collections.abc import Hashable, Iterator
 from concurrent.futures import Future
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import lru_cache
 from threading import Lock
@@ -23,7 +23,7 @@ from ..face.frame import FaceFrame
 from ..face.solve import FaceSolver
 from ..face.springs import RATE
 from ..settings import Settings
-from ..take import make_solver
+from ..solvers import make_solver, solver_key
 from .frame import LiveFrame
 
 LONGEST = RATE
@@ -41,7 +41,7 @@ class LiveWeights:
     """
 
     def __init__(self, settings: Settings) -> None:
-        self._solvers = _solvers_of(settings)
+        self._solvers = solvers_of(settings)
         self._fps = settings.fps
         with self._solvers.one() as solver:
             self._springs = None if settings.dynamics == "static" else solver.springs()
@@ -129,25 +129,20 @@ class LiveSolvers:
 _making = Lock()
 
 
-def _solvers_of(settings: Settings) -> LiveSolvers:
+@dataclass(frozen=True, slots=True)
+class _Head:
+    """A head as settings shape it: settings with equal solvers are one head."""
+
+    key: Hashable
+    settings: Settings = field(compare=False)
+
+
+def solvers_of(settings: Settings) -> LiveSolvers:
+    """Return the solvers that all live faces with such a head share; those of the latest HEADS heads stay."""
     with _making:
-        return _made(
-            settings.head, settings.age, settings.dynamics, _items(settings.shape), _items(settings.wrinkles)
-        )
+        return _made(_Head(solver_key(settings), settings))
 
 
 @lru_cache(maxsize=HEADS)
-def _made(
-    head: str,
-    age: float | None,
-    dynamics: str,
-    shape: tuple[tuple[str, float], ...],
-    wrinkles: tuple[tuple[str, float], ...],
-) -> LiveSolvers:
-    return LiveSolvers(
-        Settings(head=head, age=age, dynamics=dynamics, shape=dict(shape), wrinkles=dict(wrinkles))
-    )
-
-
-def _items(amounts: Mapping[str, float]) -> tuple[tuple[str, float], ...]:
-    return tuple(sorted(amounts.items()))
+def _made(head: _Head) -> LiveSolvers:
+    return LiveSolvers(head.settings)

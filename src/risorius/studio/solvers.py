@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import threading
-from collections.abc import AsyncIterator, Iterator
+from collections.abc import AsyncIterator
 from concurrent.futures import Executor
-from contextlib import asynccontextmanager, contextmanager
+from contextlib import asynccontextmanager
 from functools import lru_cache
 
 from ..core.parameters import NEUTRAL
@@ -14,34 +13,17 @@ from ..face.solve import FaceSolver
 from ..looks.apply_look import apply_look
 from ..ports.face_packer import FacePacker
 from ..settings import Look, Settings
-from ..take import make_solver
+from ..solvers import SolverCache
 from .threads import on_thread
 
 _MOST_IDLE = 4
 
 
-def _key(settings: Settings) -> tuple[object, ...]:
-    wrinkles, shape = (tuple(sorted(amounts.items())) for amounts in (settings.wrinkles, settings.shape))
-    return settings.head, settings.age, shape, settings.dynamics == "biphasic", wrinkles
-
-
-class Solvers:
+class Solvers(SolverCache):
     """Builds solvers when they are asked for and keeps the last few that nobody uses."""
 
     def __init__(self) -> None:
-        self._idle: list[tuple[tuple[object, ...], FaceSolver]] = []
-        self._lock = threading.Lock()
-
-    @contextmanager
-    def lent(self, settings: Settings) -> Iterator[FaceSolver]:
-        """Lend a solver as the settings want it."""
-        key = _key(settings)
-        solver = self._taken(key) or make_solver(settings)
-        try:
-            yield solver
-        finally:
-            with self._lock:
-                self._idle = [(key, solver), *self._idle][:_MOST_IDLE]
+        super().__init__(_MOST_IDLE)
 
     @asynccontextmanager
     async def loan(self, settings: Settings, threads: Executor) -> AsyncIterator[FaceSolver]:
@@ -52,14 +34,6 @@ class Solvers:
             yield solver
         finally:
             lent.__exit__(None, None, None)
-
-    def _taken(self, key: tuple[object, ...]) -> FaceSolver | None:
-        with self._lock:
-            for place, (known, solver) in enumerate(self._idle):
-                if known == key:
-                    del self._idle[place]
-                    return solver
-        return None
 
     def warm(self) -> None:
         """Compile and build what the first face needs: solvers for a take and for dials beside it."""
