@@ -33,11 +33,12 @@ from risorius.settings import Settings
 from risorius.studio import session_list
 from risorius.studio.app import looks_of
 from risorius.studio.autosave import DRAFT, FILE, Autosave
-from risorius.studio.messages import decode, encoded
+from risorius.studio.decoding import decode
+from risorius.studio.messages import encoded
 from risorius.studio.project import VERSION, open_project
+from risorius.studio.request_table import ROWS
 from risorius.studio.session import Session
 from risorius.studio.session_files import SessionFiles
-from risorius.studio.shared_session import HANDLERS
 from risorius.studio.wire import requests, shared
 from risorius.web.guard import Guard
 
@@ -162,8 +163,8 @@ def _page(path: Path) -> None:
         body = decode(line).body
         if isinstance(body, requests.Preview):
             session.preview(body.edit)
-        elif type(body) in HANDLERS:
-            HANDLERS[type(body)](session, body, quiet)
+        elif not ROWS[type(body)].of_page:
+            ROWS[type(body)].handler(session, body, quiet)
 
     _each(_lines(path), do)
 
@@ -295,9 +296,9 @@ register(
         {"do": "explain", "take": 1, "time": 0.5},
         {"do": "channel_curves", "take": 1, "parameter": "head_yaw"},
         {"do": "rules_fired", "take": 1},
-        {"do": "profile_save", "base": "lively", "name": "mine", "numbers": {"blinks.wait": 1.0}},
-        {"do": "name_pose", "name": "mine", "kind": "pose", "values": {"AU12": 0.5}},
-        {"do": "view", "view": {"tab": "curves", "time": 0.1, "graphs": {"chosen": ["AU12"]}}},
+        {"do": "profile_text", "base": "lively", "name": "mine", "numbers": {"blinks.wait": 1.0}},
+        {"do": "save_pose", "name": "mine", "kind": "pose", "values": {"AU12": 0.5}},
+        {"do": "save_view", "view": {"tab": "curves", "time": 0.1, "graphs": {"chosen": ["AU12"]}}},
         {"do": "undo"},
         {"do": "redo"},
         {"do": "choose", "choices": {"conflict": "inhibit"}},
@@ -305,14 +306,18 @@ register(
     lambda: _messages(
         {"do": "perform", "source": SOURCE, "choices": {"fps": "2"}},
         {"do": "prepare", "source": SOURCE},
-        {"do": "draft", "source": SOURCE, "emotions": [{"emotion": "joy", "intensity": 0.5, "first": 0}]},
+        {
+            "do": "save_draft",
+            "source": SOURCE,
+            "emotions": [{"emotion": "joy", "intensity": 0.5, "first": 0}],
+        },
         {"do": "edit", "kind": "keys", "parameter": "head_yaw", "keys": [[0, 0.1]]},
         {"do": "edit", "kind": "clear_keys", "parameter": "head_yaw"},
         {"do": "edit", "kind": "delete", "movement": "emotion@0.200"},
         {"do": "compare", "choices": {"conflict": "graded"}},
         {"do": "let_go"},
-        {"do": "markers", "markers": [{"time": 0.5, "text": "here"}]},
-        {"do": "lanes", "lanes": {"muted": ["gaze"], "solo": [], "locked": ["head"]}},
+        {"do": "set_markers", "markers": [{"time": 0.5, "text": "here"}]},
+        {"do": "set_lanes", "lanes": {"muted": ["gaze"], "solo": [], "locked": ["head"]}},
         {"do": "stop", "request": 3},
         {"do": "faces", "take": 1, "first": 0, "last": 5, "pace": 30},
         {"do": "face_at", "take": 1, "time": 0.5, "still": True},

@@ -39,7 +39,7 @@ from risorius.speech.engines.protocol import SpeechRequest, Voice
 from risorius.speech.recordings.labelled import utterance_of_labels
 from risorius.speech.recordings.recording import read_recording
 from risorius.stream.receiver_socket import parse_address
-from risorius.studio.messages import decode
+from risorius.studio.decoding import decode
 
 from .registry import register
 from .scores import MINIMAL, SCORE, as_json

@@ -29,7 +29,8 @@ from risorius.script.read import READERS as SCRIPTS
 from risorius.script.read import RECORDING_SUFFIXES
 from risorius.serve.messages import KINDS
 from risorius.settings import Settings, settings_of
-from risorius.studio.wire.requests import EDITS, VERBS
+from risorius.studio.request_table import VERBS
+from risorius.studio.wire.requests import EDITS
 
 from ..collected import all_cases
 from ..profiles import samples

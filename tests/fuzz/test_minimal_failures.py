@@ -35,7 +35,7 @@ from risorius.speech.engines.program import ProgramEngine
 from risorius.speech.engines.protocol import SpeechRequest, Voice
 from risorius.speech.recordings.labelled import utterance_of_labels
 from risorius.stream.receiver_socket import parse_address
-from risorius.studio.messages import decode
+from risorius.studio.decoding import decode
 from risorius.studio.session_files import SessionFiles
 from risorius.web.guard import Guard
 

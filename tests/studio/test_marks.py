@@ -11,7 +11,8 @@ from risorius.core.key_shapes import KeyShape
 from risorius.core.progress import quiet
 from risorius.errors import RisoriusError
 from risorius.studio.autosave import Autosave
-from risorius.studio.messages import decode, encoded
+from risorius.studio.decoding import decode
+from risorius.studio.messages import encoded
 from risorius.studio.project import open_project, project_file
 from risorius.studio.session import Session
 from risorius.studio.wire import requests
@@ -21,12 +22,12 @@ from .sessions import edit, perform, state
 
 
 def lanes(session, **states):
-    return session.set_lanes(_received(do="lanes", lanes=states), quiet)
+    return session.set_lanes(_received(do="set_lanes", lanes=states), quiet)
 
 
 def mark(session, *markers):
     return session.set_markers(
-        _received(do="markers", markers=[encoded(marker) for marker in markers]), quiet
+        _received(do="set_markers", markers=[encoded(marker) for marker in markers]), quiet
     )
 
 
@@ -112,11 +113,11 @@ def test_they_are_kept_with_session_and_project(session, tmp_path):
 @pytest.mark.parametrize(
     ("body", "message"),
     [
-        ({"do": "lanes", "lanes": {"muted": ["mouth"]}}, "unknown channel 'mouth'"),
-        ({"do": "lanes", "lanes": {"quiet": []}}, "unknown key 'lanes.quiet'"),
-        ({"do": "markers", "markers": [{"text": "x"}]}, r"key 'markers\[0\]\.time' is missing"),
-        ({"do": "markers", "markers": [{"time": -1}]}, r"markers\[0\]\.time = -1"),
-        ({"do": "markers", "markers": [{"time": 1}] * 501}, "501 markers"),
+        ({"do": "set_lanes", "lanes": {"muted": ["mouth"]}}, "unknown channel 'mouth'"),
+        ({"do": "set_lanes", "lanes": {"quiet": []}}, "unknown key 'lanes.quiet'"),
+        ({"do": "set_markers", "markers": [{"text": "x"}]}, r"key 'markers\[0\]\.time' is missing"),
+        ({"do": "set_markers", "markers": [{"time": -1}]}, r"markers\[0\]\.time = -1"),
+        ({"do": "set_markers", "markers": [{"time": 1}] * 501}, "501 markers"),
         (
             {
                 "do": "edit",
@@ -139,7 +140,7 @@ def test_a_marker_lies_in_the_clip_and_a_long_note_is_cut(session):
     perform(session)
     with pytest.raises(RisoriusError, match="expected up to"):
         mark(session, Marker(99.0))
-    request = decode(json.dumps({"id": 1, "do": "markers", "markers": [{"time": 1, "text": "x" * 999}]}))
+    request = decode(json.dumps({"id": 1, "do": "set_markers", "markers": [{"time": 1, "text": "x" * 999}]}))
     assert len(request.body.markers[0].text) == 120
 
 

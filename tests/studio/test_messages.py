@@ -9,7 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.core.edits import Move
-from risorius.studio.messages import BadRequestError, answer, decode, encoded, event, refusal
+from risorius.studio.decoding import BadRequestError, decode
+from risorius.studio.messages import answer, encoded, event, refusal
+from risorius.studio.request_table import VERBS
 from risorius.studio.wire import answers, events, requests, shared
 
 BAD = [
@@ -20,9 +22,9 @@ BAD = [
     ('{"id": true, "do": "undo"}', None, "has no number"),
     ('{"id": -1, "do": "undo"}', None, "has no number"),
     ('{"id": 1e400, "do": "undo"}', None, "has no number"),
-    ('{"id": 7, "do": "view", "view": ' + "[" * 900 + "]" * 900 + "}", 7, "is nested too deeply"),
-    ('{"id": 7, "do": "view", "view": ' + "[" * 100_000, 7, "is not JSON"),
-    ('{"id": 7, "do": "view", "view": {"time": "abc"}}', 7, "view.time"),
+    ('{"id": 7, "do": "save_view", "view": ' + "[" * 900 + "]" * 900 + "}", 7, "is nested too deeply"),
+    ('{"id": 7, "do": "save_view", "view": ' + "[" * 100_000, 7, "is not JSON"),
+    ('{"id": 7, "do": "save_view", "view": {"time": "abc"}}', 7, "view.time"),
     ('{"id": 99999999999999999, "do": ', None, "is not JSON"),
     ('{"id": 7}', 7, "unknown request 'None'"),
     ('{"id": 7, "do": "undi"}', 7, "did you mean 'undo'"),
@@ -66,7 +68,7 @@ anything = st.recursive(
 fields = st.dictionaries(st.sampled_from(["take", "source", "movement", "values", "kind", "x"]), anything)
 
 
-@given(st.sampled_from([*requests.VERBS, "edit"]), fields)
+@given(st.sampled_from([*VERBS, "edit"]), fields)
 def test_any_message_is_understood_or_refused(verb, given_):
     try:
         number = decode(json.dumps({**given_, "id": 3, "do": verb})).id

@@ -208,7 +208,7 @@ def test_an_edit_is_told_explained_undone_and_there_after_a_reload(server):
         assert back["redoes"]
         assert "nothing to redo" in (page.ask("redo") and page.refused("redo"))
         assert "unknown block 'x'" in page.refused("edit", kind="delete", movement="x")
-        page.ask("view", view={"time": 1.5})
+        page.ask("save_view", view={"time": 1.5})
     with server.page("edit") as page:
         state = page.ask("open")
         assert state["take"]["take"] == drawn["take"]
@@ -249,7 +249,7 @@ def test_dials_are_followed_until_the_skin_lies_still(server):
             page.heard()
         # Turned to where it was: the skin does not move.
         assert page.faces[-1][24:] == at_rest[24:]
-        saved = page.ask("name_pose", name="grin", kind="emotion", values={"AU12": 0.5})
+        saved = page.ask("save_pose", name="grin", kind="emotion", values={"AU12": 0.5})
         assert saved["file"] == "grin.toml"
         assert page.ask("dial", emotions={"grin": 1.0})["values"]["zygomatic_major.left"] == 0.5
         assert page.ask("open")["emotions"] == ["grin"]

@@ -12,6 +12,7 @@ from risorius.core.progress import quiet
 from risorius.errors import InputError, RisoriusError
 from risorius.ports.score_json import score_to_json
 from risorius.studio import describe, looking, performer
+from risorius.studio.rules_fired import RulesFired, rules_fired
 from risorius.studio.session import Session
 from risorius.studio.wire import answers, requests, shared
 
@@ -213,7 +214,7 @@ def test_explanations_say_by_hand_and_name_the_block(session):
     assert (reason.winner.channel, reason.winner.rule) == ("manual", "by hand")
     assert any(part.movement.startswith("emotion.1") for part in reason.losers)
     assert any("by hand" in line for line in told.sentences)
-    rules = looking.rules_fired(session, requests.RulesFired(take), quiet).rules
+    rules = rules_fired(session, RulesFired(take), quiet).rules
     named = {block for rule in rules for block in rule.blocks}
     assert named == {b.id for b in session.current.blocks.values() if b.editable}
     detail = looking.channel_curves(session, requests.ChannelCurves(take, "zygomatic_major.left"), quiet)
@@ -291,7 +292,7 @@ def test_what_is_prepared_changes_nothing_and_is_performed_as_if_it_had_not_been
 
 def test_an_emotion_that_is_saved_anew_is_not_that_which_was_prepared(session):
     def save(value):
-        looking.name_pose(session, requests.SavePose("mine", "emotion", {"AU12": value}), quiet)
+        looking.save_pose(session, requests.SavePose("mine", "emotion", {"AU12": value}), quiet)
 
     span = shared.EmotionSpan("mine", 1.0)
     save(0.2)

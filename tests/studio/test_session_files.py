@@ -30,7 +30,7 @@ def test_a_project_opens_exactly_elsewhere(session, tmp_path):
     perform(session, emotions=(shared.EmotionSpan("grin", 0.9, first=3, last=9),))
     edit(session, Add("signals", 0.4, 1.2, {"AU1": 0.8}))
     edit(session, Keys("masseter", ((0.5, 0.0), (1.0, 0.7))))
-    session.keep_view(requests.View(PageView("rules")), quiet)
+    session.save_view(requests.SaveView(PageView("rules")), quiet)
     folder = tmp_path / "other"
     folder.mkdir()
     other = Session("two", folder)
@@ -95,7 +95,7 @@ def test_a_session_saves_itself_and_goes_on_after_a_crash(session, tmp_path):
     autosave = Autosave(tmp_path)
     autosave.save(session)
     edit(session, Add("signals", 0.4, 1.2, {"AU1": 0.8}))
-    session.keep_view(requests.View(PageView(time=2.0)), quiet)
+    session.save_view(requests.SaveView(PageView(time=2.0)), quiet)
     autosave.save(session)
     again = Session("one", tmp_path)
     assert Autosave(tmp_path).load(again) == ()
@@ -186,8 +186,8 @@ def test_what_is_no_recording_is_refused(session, tmp_path):
 
 def test_what_is_written_is_kept_until_it_is_performed(session, tmp_path):
     saved = Autosave(tmp_path)
-    session.keep_draft(
-        requests.Draft(shared.Source("Not yet."), emotions=(shared.EmotionSpan("joy", 0.5),)), quiet
+    session.save_draft(
+        requests.SaveDraft(shared.Source("Not yet."), emotions=(shared.EmotionSpan("joy", 0.5),)), quiet
     )
     saved.save(session)
     again = Session("one", tmp_path)
@@ -195,8 +195,8 @@ def test_what_is_written_is_kept_until_it_is_performed(session, tmp_path):
     assert again.draft == session.draft
     perform(again, "Not yet.", emotions=again.draft.emotions)
     assert again.draft is None
-    again.keep_draft(
-        requests.Draft(shared.Source("Not yet."), emotions=(shared.EmotionSpan("joy", 0.5),)), quiet
+    again.save_draft(
+        requests.SaveDraft(shared.Source("Not yet."), emotions=(shared.EmotionSpan("joy", 0.5),)), quiet
     )
     assert again.draft is None
     (tmp_path / "draft.json").write_text("{")

@@ -19,7 +19,7 @@ def test_sessions_are_listed_named_copied_deleted_and_put_back(server):
     with server.page("first") as page:
         page.ask("open")
         assert listed(server) == []
-        page.ask("draft", source={"script": "Not yet."})
+        page.ask("save_draft", source={"script": "Not yet."})
         page.event("saved")
         page.perform("Hm.")
         page.event("saved")

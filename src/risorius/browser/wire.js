@@ -73,7 +73,7 @@
  * @property {string} parameter
  */
 /**
- * By how many seconds a phone begins later than was found; below 0, earlier.
+ * The seconds by which a phone begins later than was found; below 0, earlier.
  * The phone is number `phone` of the word `word`, which is said for the `nth` time, both from 0 on; the
  * number after that of the word's last phone means the silence after the word. `symbol` is the phone's.
  * @typedef {Object} EdgeShift
@@ -84,7 +84,7 @@
  * @property {number} shift
  */
 /**
- * How a drawn curve passes one of its keys: None is a straight line towards the neighbour.
+ * The shape of a drawn curve at one of its keys; None is a straight line towards the neighbour.
  * `before`, `after`: the handles at the key's left and right; a handle that reaches beyond the neighbour in
  * time is shortened to it. `hold`: the key's value stays until the next key.
  * @typedef {Object} KeyShape
@@ -141,7 +141,7 @@
  * @property {Array<string>} [rules_off]
  */
 /**
- * What is performed: a script as text of a format, or a recording by the name that its upload received.
+ * The source of a take: a script as text of a format, or a recording by the name of its upload.
  * With a recording, the text is its transcript; if the text is empty, the words are recognized. `edges`:
  * where phones begin elsewhere than was found.
  * @typedef {Object} Source
@@ -151,7 +151,7 @@
  * @property {Array<EdgeShift>} [edges]
  */
 /**
- * What a take is performed from: the fields of the request `perform`.
+ * The inputs of a take: the fields of the request `perform`.
  * @typedef {Object} TakeInputs
  * @property {Source} source
  * @property {Choices} choices
@@ -165,14 +165,14 @@
  */
 /**
  * Channels that are muted, those that act alone (`solo`), and those that are locked against changes.
- * What is muted moves nothing, also in exports. If any is solo, all others are as if muted.
+ * Muted lanes move nothing, also in exports. If any is solo, all others are as if muted.
  * @typedef {Object} LaneStates
  * @property {Array<string>} [muted]
  * @property {Array<string>} [solo]
  * @property {Array<string>} [locked]
  */
 /**
- * Where the head is seen from: centre and height of what is seen in metres, turn and tilt in degrees.
+ * The camera: centre and height of its picture in metres, turn and tilt in degrees.
  * @typedef {Object} CameraView
  * @property {[number, number, number]} centre
  * @property {number} height
@@ -180,14 +180,14 @@
  * @property {number} tilt
  */
 /**
- * Which muscles have graphs (null: those that move most), which sides, and which lanes are folded.
+ * The muscles with graphs (null: those that move most), their sides, and the folded lanes.
  * @typedef {Object} GraphsView
  * @property {Array<string>|null} [chosen]
  * @property {Object<string, "both"|"left"|"right">} [sides]
  * @property {Array<string>} [folded]
  */
 /**
- * The open panel, the camera, the playhead and the graphs; null where nothing was chosen.
+ * The open panel, the camera, the playhead and the graphs; null if nothing was chosen.
  * @typedef {Object} PageView
  * @property {string|null} [tab]
  * @property {CameraView|null} [camera]
@@ -200,7 +200,7 @@
  * @property {"open"} do
  */
 /**
- * Perform a script; edits follow its words, and what does not fit is `lost`. Answered by TakeView.
+ * Perform a script; edits follow its words, and those that do not fit are `lost`. Answered by TakeView.
  * The voice is synthesized only if something that it depends on has changed.
  * @typedef {Object} Perform
  * @property {"perform"} do
@@ -217,9 +217,9 @@
  * @property {Array<EmotionSpan>} [emotions]
  */
 /**
- * Save what is written but not performed, with the fields of Perform; State has it until then.
- * @typedef {Object} Draft
- * @property {"draft"} do
+ * Save a text that is written but not performed, with the fields of Perform; State has it until then.
+ * @typedef {Object} SaveDraft
+ * @property {"save_draft"} do
  * @property {Source} source
  * @property {Choices} [choices]
  * @property {Array<EmotionSpan>} [emotions]
@@ -269,13 +269,13 @@
 /**
  * Set all markers of the line; they follow its words when the text changes. Answered by TakeChange.
  * @typedef {Object} SetMarkers
- * @property {"markers"} do
+ * @property {"set_markers"} do
  * @property {Array<Marker>} markers
  */
 /**
  * Say which lanes are muted, solo and locked; answered by TakeChange.
  * @typedef {Object} SetLanes
- * @property {"lanes"} do
+ * @property {"set_lanes"} do
  * @property {LaneStates} lanes
  */
 /**
@@ -341,7 +341,7 @@
 /**
  * Save the dialled face under a name, as a pose or as an emotion; answered by PoseFile.
  * @typedef {Object} SavePose
- * @property {"name_pose"} do
+ * @property {"save_pose"} do
  * @property {string} name
  * @property {"pose"|"emotion"} kind
  * @property {Object<string, number>} values
@@ -355,7 +355,7 @@
  * @property {string|null} [parameter]
  */
 /**
- * Ask what each channel asks of a parameter over the take and is given; answered by ParameterDetail.
+ * Request each channel's curve of a parameter, asked and applied; answered by ParameterDetail.
  * @typedef {Object} ChannelCurves
  * @property {"channel_curves"} do
  * @property {number} take
@@ -369,16 +369,10 @@
  * @property {Array<EmotionSpan>|null} [emotions]
  */
 /**
- * Ask which rules fired and when; answered by FiredRules.
- * @typedef {Object} RulesFired
- * @property {"rules_fired"} do
- * @property {number} take
- */
-/**
  * Ask for a profile as TOML, with numbers changed by dotted key ("blinks.wait"); answered by ProfileFile.
  * `base`: the name of the profile to start from. `name`: the name of the new one.
  * @typedef {Object} ProfileText
- * @property {"profile_save"} do
+ * @property {"profile_text"} do
  * @property {string} base
  * @property {string} name
  * @property {Object<string, number>} [numbers]
@@ -414,8 +408,8 @@
  */
 /**
  * Save the page's view (camera, tab, playhead …) with the project.
- * @typedef {Object} View
- * @property {"view"} do
+ * @typedef {Object} SaveView
+ * @property {"save_view"} do
  * @property {PageView} view
  */
 /**
@@ -550,7 +544,7 @@
 /**
  * A session: its take (null before the first), and the recordings, emotions and poses saved in it.
  * `view`: what the page saved of itself. `notes`: what could not be restored. `draft`: what was written
- * last where it is not what was performed.
+ * last if it is not what was performed.
  * @typedef {Object} State
  * @property {string} session
  * @property {TakeView|null} take
@@ -568,7 +562,7 @@
  * @property {Object<string, string>} curves
  */
 /**
- * How many faces were sent.
+ * The number of faces that were sent.
  * @typedef {Object} FacesSent
  * @property {number} sent
  */
@@ -577,7 +571,7 @@
  * @typedef {Object} Done
  */
 /**
- * The value of every parameter of the dialled face; `notes` name what could not be shown.
+ * The value of every parameter of the dialled face; `notes` name the parts that could not be shown.
  * @typedef {Object} DialState
  * @property {Object<string, number>} values
  * @property {Array<string>} notes
@@ -589,7 +583,7 @@
  * @property {string} name
  */
 /**
- * What a movement asks of a parameter and is given, as deviations from neutral, with the reason.
+ * A movement's request for a parameter and the part applied, deviations from neutral, with the reason.
  * @typedef {Object} ContributionView
  * @property {string} channel
  * @property {string} what
@@ -618,7 +612,7 @@
  * @property {Array<string>} sentences
  */
 /**
- * What a channel asks of a parameter and what it is given, `frames` values each.
+ * A channel's request for a parameter and the part that is applied, `frames` values each.
  * Spans [start, end] in seconds. `inhibited`: nothing of it shows; `limited`: it is given less than it
  * asks.
  * @typedef {Object} ChannelCurve
@@ -635,26 +629,13 @@
  * @property {Array<ChannelCurve>} channels
  */
 /**
- * A rule, its comment, the ids of its blocks and the start of each.
- * @typedef {Object} FiredRule
- * @property {string} rule
- * @property {string} comment
- * @property {Array<string>} blocks
- * @property {Array<number>} times
- */
-/**
- * The rules that fired in a take, in order of their ids.
- * @typedef {Object} FiredRules
- * @property {Array<FiredRule>} rules
- */
-/**
  * A profile as TOML, to be saved as a file or performed with `choices.profile_text`.
  * @typedef {Object} ProfileFile
  * @property {string} name
  * @property {string} text
  */
 /**
- * What was saved under a name, as a file: an emotion (TOML), or the command that makes the pose.
+ * A pose saved under a name, as a file: an emotion (TOML), or the command that makes the pose.
  * @typedef {Object} PoseFile
  * @property {string} name
  * @property {string} file
@@ -702,6 +683,25 @@
  * @property {"warming"|"warm"} what
  */
 /**
+ * Ask which rules fired and when; answered by FiredRules.
+ * @typedef {Object} RulesFired
+ * @property {"rules_fired"} do
+ * @property {number} take
+ */
+/**
+ * A rule, its comment, the ids of its blocks and the start of each.
+ * @typedef {Object} FiredRule
+ * @property {string} rule
+ * @property {string} comment
+ * @property {Array<string>} blocks
+ * @property {Array<number>} times
+ */
+/**
+ * The rules that fired in a take, in order of their ids.
+ * @typedef {Object} FiredRules
+ * @property {Array<FiredRule>} rules
+ */
+/**
  * A column of every curve, as `core.parameters.Parameter`; `rivals` are those that it conflicts with.
  * @typedef {Object} ParameterRow
  * @property {string} name
@@ -741,7 +741,7 @@
  * @property {number} offset
  */
 /**
- * A number of a profile by its dotted key; null where its range has no end.
+ * A number of a profile by its dotted key; null if its range has no end.
  * @typedef {Object} NumberRow
  * @property {string} key
  * @property {number} value
@@ -758,7 +758,7 @@
  * @property {string} text
  */
 /**
- * What a speaker may want to convey.
+ * An attitude that a speaker may convey.
  * @typedef {Object} AttitudeRow
  * @property {string} name
  * @property {string} description
@@ -772,7 +772,7 @@
  * @property {string} title
  */
 /**
- * A head, who it is, how old and with which hair.
+ * A head: its title, age and hair.
  * @typedef {Object} HeadRow
  * @property {string} name
  * @property {string} title
@@ -810,7 +810,7 @@
  * @property {Array<string>} needs
  */
 /**
- * A value that a setting may have: its name, what is said of it, and what is sent for it.
+ * A value that a setting may have: its name, its description, and the value that is sent for it.
  * @typedef {Object} ChoiceRow
  * @property {string} name
  * @property {string} description
@@ -891,7 +891,7 @@
  * @property {Array<[number, number]>} lids
  */
 /**
- * How skin changes its colour, as `looks/perfusion.py` says it.
+ * Changes of the skin's colour, as computed in `looks/perfusion.py`.
  * What the usual blood absorbs of red, green and blue in skin and in lips, and the least and the most that
  * moving skin gains of the usual blood; how often the areas are smoothed by which this is known.
  * @typedef {Object} StageBlood
@@ -902,7 +902,7 @@
  * @property {number} rounds
  */
 /**
- * The fine wrinkles of a head: how many heights a face has, in steps of so many mm.
+ * The fine wrinkles of a head: the number of heights of a face, in steps of `step` mm.
  * There is room for those of `slots` regions at each vertex. `styles` has for each region of wrinkles its
  * kind, the width of its furrows in mm, how dark these are, and the share of the height that is shaded.
  * @typedef {Object} StageFolds
@@ -912,10 +912,10 @@
  * @property {Array<Array<number>>} styles
  */
 /**
- * What skin is shaded by: the library's formulas as GLSL, and the sizes of its tables (`GET /api/skin`).
- * `grain` cells each way of the pores' heights, which are at most `highest`; light that leaves skin at so
- * many angles and curvatures. The margins of lids and lips are known at so many places from one corner to
- * the other.
+ * The data that skin is shaded by: formulas as GLSL, and the sizes of the tables (`GET /api/skin`).
+ * `grain` cells each way of the pores' heights, which are at most `highest`; light that leaves skin, at
+ * `angles` angles and `curvatures` curvatures. The margins of lids and lips are known at `lids` and `lips`
+ * places from one corner to the other.
  * @typedef {Object} StageShading
  * @property {string} formulas
  * @property {number} grain
@@ -927,7 +927,7 @@
  */
 /**
  * The key lamp's shadow map: rows of the matrix that gives x and y in texels and mm towards the lamp.
- * It has `size` texels a side and is `depth` mm deep; what is no more than `bias` mm nearer casts no
+ * It has `size` texels a side and is `depth` mm deep; a surface nearer by at most `bias` mm casts no
  * shadow.
  * @typedef {Object} StageShadow
  * @property {Array<number>} matrix
@@ -962,7 +962,7 @@
  * @property {StageFolds} folds
  * @property {Array<StagePart>} parts
  */
-/** @typedef {"open" | "perform" | "prepare" | "draft" | "stop" | "choose" | "relabel" | "edit_all" | "preview_all" | "markers" | "lanes" | "bring_back" | "let_go" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "name_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_save" | "export" | "cancel_export" | "project" | "view"} Verb */
+/** @typedef {"open" | "perform" | "prepare" | "save_draft" | "stop" | "choose" | "relabel" | "edit_all" | "preview_all" | "set_markers" | "set_lanes" | "bring_back" | "let_go" | "undo" | "redo" | "faces" | "face_at" | "cancel" | "dial" | "save_pose" | "explain" | "channel_curves" | "compare" | "rules_fired" | "profile_text" | "export" | "cancel_export" | "project" | "save_view"} Verb */
 /** @typedef {"move" | "stretch" | "retarget" | "add" | "delete" | "keys" | "clear_keys"} EditKind */
 /** @typedef {"progress" | "exported" | "changed" | "saved" | "ready"} EventName */
 export {};

@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import logging
-import threading
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
@@ -13,13 +12,14 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from ..errors import RisoriusError
 from . import limits
-from .messages import BadRequestError, answer, decode, event, refusal
-from .pose_preview import PosePreview
+from .decoding import BadRequestError, decode
+from .messages import answer, event, refusal
+from .page_requests import PageRequests
+from .request_table import ROWS
 from .shared_session import SharedSession
 from .solvers import Solvers
 from .stopping import stoppable
-from .streaming import Streams
-from .wire import answers, events, requests
+from .wire import events
 
 OWN = 2  # tasks of a page that are not requests
 LOG = logging.getLogger(__name__)
@@ -34,11 +34,9 @@ class Connection:
         self._socket, self._shared, self._warm = socket, shared, warm
         self._sending = asyncio.Lock()
         self._tasks: set[asyncio.Task[None]] = set()
-        self._working: dict[int, threading.Event] = {}
         self._events: asyncio.Queue[Any] = asyncio.Queue(limits.EVENTS)
         self._threads = ThreadPoolExecutor(2, thread_name_prefix="faces")
-        self._streams = Streams(self._threads, solvers, self._send)
-        self._pose_preview = PosePreview(self._threads, solvers, self._send)
+        self._requests = PageRequests(shared, self._threads, solvers, self._send)
         self._loop = asyncio.get_running_loop()
 
     async def run(self) -> None:
@@ -59,7 +57,7 @@ class Connection:
             for task in tuple(self._tasks):
                 task.cancel()
             await asyncio.gather(*self._tasks, return_exceptions=True)
-            await self._pose_preview.stop()
+            await self._requests.close()
             self._threads.shutdown(wait=False)
 
     def tell(self, message: Any) -> None:
@@ -96,48 +94,18 @@ class Connection:
             reply = refusal(number, "the studio failed; its terminal says why")
         await self._say(reply)
 
-    async def _done(self, number: int, body: Any) -> Any:
-        shared = self._shared
-        if isinstance(body, requests.Faces):
-            return await self._streams.send(shared.session.live(body.take), body)
-        if isinstance(body, requests.FaceAt):
-            return await self._streams.moment(shared.session.live(body.take), body)
-        if isinstance(body, requests.Preview | requests.PreviewAll):
-            edits = (body.edit,) if isinstance(body, requests.Preview) else body.edits
-            take, previewed = await shared.preview(*edits)
-            if body.face is not None:
-                await self._streams.held(take, previewed.take, body.face)
-            return previewed
-        if isinstance(body, requests.Cancel | requests.Stop | requests.CancelExport):
-            self._stop(body)
-            return answers.Done()
-        if isinstance(body, requests.Dial):
-            return await self._pose_preview.turn(number, body, shared.session.files)
-        if isinstance(body, requests.Export):
-            return shared.export(body)
-        if isinstance(body, requests.Project):
-            return answers.Download(
-                f"/api/session/{shared.session.name}/project", "performance.risorius.json"
-            )
-        return await self._worked(number, body)
-
-    async def _worked(self, number: int, body: Any) -> Any:
-        """Return the session's answer, unless the page stops the request."""
-        stopped = self._working[number] = threading.Event()
-        try:
+    async def _done(self, number: int, request: Any) -> Any:
+        row = ROWS[type(request)]
+        if row.of_page:
+            return await row.handler(self._requests, number, request)
+        with self._requests.running(number) as stopped:
+            progress = stoppable(self._progress(number), stopped, "stopped")
             return await self._shared.handle(
-                body, stoppable(self._progress(number), stopped, "stopped"), self
+                lambda session: row.handler(session, request, progress),
+                self,
+                changes=row.changes,
+                saves=row.saves,
             )
-        finally:
-            self._working.pop(number, None)
-
-    def _stop(self, body: requests.Cancel | requests.Stop | requests.CancelExport) -> None:
-        if isinstance(body, requests.Cancel):
-            self._streams.cancel(body.take)
-        elif isinstance(body, requests.CancelExport):
-            self._shared.exports.stop(body.job)
-        elif body.request in self._working:
-            self._working[body.request].set()
 
     def _progress(self, number: int) -> Any:
         def told(stage: str, done: int = 0, total: int = 0) -> None:

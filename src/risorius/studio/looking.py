@@ -1,18 +1,14 @@
-"""Requests that do not change the take: explanations, channels, rules, saved poses and profiles."""
+"""Requests that do not change the take: explanations, channels, saved poses and profiles."""
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterable
 
 from ..blend import Contribution, Explanation, Trace
 from ..blend.narrate import narrate
 from ..core.action_units import resolve_targets
-from ..core.movement import Movement
 from ..core.parameters import INDEX, PARAMETERS
 from ..core.progress import Progress
-from ..core.score import Score
-from ..rules.rule_set import rule_set_of
 from ..rules.tuned import tuned_text
 from ..take import Take
 from .describe import packed
@@ -64,31 +60,12 @@ def _channel(trace: Trace, take: Take) -> answers.ChannelCurve:
     return answers.ChannelCurve(trace.channel, asked, given, spans(trace.inhibited), spans(trace.limited))
 
 
-def rules_fired(session: Session, request: requests.RulesFired, progress: Progress) -> answers.FiredRules:
-    """Return the rules that fired in a take."""
-    live = session.live(request.take)
-    rule_set = rule_set_of(live.take.settings.rules)
-    rules = []
-    for rule, movements in sorted(_by_rule(live.take.score).items()):
-        comment = rule_set.entries[rule].rule.comment if rule in rule_set.entries else ""
-        times = tuple(m.start for m in movements)
-        rules.append(answers.FiredRule(rule, comment, tuple(m.id for m in movements), times))
-    return answers.FiredRules(tuple(rules))
-
-
-def _by_rule(score: Score) -> dict[str, list[Movement]]:
-    by_rule = defaultdict(list)
-    for movement in score.movements:
-        by_rule[movement.cause.rule].append(movement)
-    return by_rule
-
-
-def profile_save(session: Session, request: requests.ProfileText, progress: Progress) -> answers.ProfileFile:
+def profile_text(session: Session, request: requests.ProfileText, progress: Progress) -> answers.ProfileFile:
     """Return a profile with changed numbers as a file; unchanged under its own name if none changed."""
     return answers.ProfileFile(request.name, tuned_text(request.base, request.name, request.numbers))
 
 
-def name_pose(session: Session, request: requests.SavePose, progress: Progress) -> answers.PoseFile:
+def save_pose(session: Session, request: requests.SavePose, progress: Progress) -> answers.PoseFile:
     """Save a face under a name, and return it as a file for the command line."""
     session.forget_prefetch()
     if request.kind == "emotion":

@@ -91,7 +91,7 @@ class Session:
                 self._prefetch = Prefetch(inputs, version, self._performed(version))
         return answers.Done()
 
-    def keep_draft(self, request: requests.Draft, progress: Progress) -> answers.Done:
+    def save_draft(self, request: requests.SaveDraft, progress: Progress) -> answers.Done:
         """Save the written text, unless it has been performed."""
         draft = shared.TakeInputs(request.source, request.choices, request.emotions)
         performed = self.history.present
@@ -198,7 +198,7 @@ class Session:
         """Redo the change that was undone last."""
         return self._changed(self.history.redo())
 
-    def keep_view(self, request: requests.View, progress: Progress) -> answers.Done:
+    def save_view(self, request: requests.SaveView, progress: Progress) -> answers.Done:
         """Save the view of the page."""
         self.view = request.view
         return answers.Done()

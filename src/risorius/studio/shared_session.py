@@ -9,10 +9,9 @@ from pathlib import Path
 from typing import Any, Protocol, TypeVar
 
 from ..core.edits import Edit
-from ..core.progress import Progress
 from ..errors import OutputError, RisoriusError
 from ..take import Take
-from . import exports, looking
+from . import exports
 from .autosave import Autosave
 from .exports import Exports
 from .project import open_project, project_file
@@ -20,46 +19,6 @@ from .session import Session
 from .wire import answers, events, requests, takes
 
 T = TypeVar("T")
-Handler = Callable[[Session, Any, Progress], Any]
-
-HANDLERS: dict[type, Handler] = {
-    requests.Open: Session.open,
-    requests.Perform: Session.perform,
-    requests.Prepare: Session.prepare,
-    requests.Draft: Session.keep_draft,
-    requests.Choose: Session.choose,
-    requests.Relabel: Session.relabel,
-    requests.Compare: Session.compare,
-    **dict.fromkeys(requests.EDITS.values(), Session.edit),
-    requests.EditAll: Session.edit_all,
-    requests.SetMarkers: Session.set_markers,
-    requests.SetLanes: Session.set_lanes,
-    requests.BringBack: Session.bring_back,
-    requests.LetGo: Session.let_go,
-    requests.Undo: Session.undo,
-    requests.Redo: Session.redo,
-    requests.View: Session.keep_view,
-    requests.Explain: looking.explain,
-    requests.ChannelCurves: looking.channel_curves,
-    requests.RulesFired: looking.rules_fired,
-    requests.ProfileText: looking.profile_save,
-    requests.SavePose: looking.name_pose,
-}
-"""The handler of each request; it runs on the session's thread."""
-CHANGING = (
-    requests.Perform,
-    requests.Choose,
-    requests.Relabel,
-    *requests.EDITS.values(),
-    requests.EditAll,
-    requests.SetMarkers,
-    requests.SetLanes,
-    requests.BringBack,
-    requests.LetGo,
-    requests.Undo,
-    requests.Redo,
-)
-SAVING = (*CHANGING, requests.View, requests.Draft)
 
 
 class Page(Protocol):
@@ -83,20 +42,20 @@ class SharedSession:
         self._worker = ThreadPoolExecutor(1, thread_name_prefix=f"session-{name}")
         self._exporter = ThreadPoolExecutor(1, thread_name_prefix=f"export-{name}")
 
-    async def handle(self, request: Any, progress: Progress, page: Page) -> Any:
-        """Return the answer to a request of a page; save and tell other pages what it changes.
+    async def handle(self, work: Callable[[Session], T], page: Page, *, changes: bool, saves: bool) -> T:
+        """Return what a page's `work` on the session returns; then tell other pages, and save, if it must be.
 
         Work that has begun is finished and saved even if the page closes meanwhile.
         """
-        task = asyncio.get_running_loop().create_task(self._answer(request, progress, page))
+        task = asyncio.get_running_loop().create_task(self._answer(work, page, changes, saves))
         self._hold(task, self._tasks)
         return await asyncio.shield(task)
 
-    async def _answer(self, request: Any, progress: Progress, page: Page) -> Any:
-        answer = await self._run(lambda: HANDLERS[type(request)](self.session, request, progress))
-        if isinstance(request, CHANGING):
+    async def _answer(self, work: Callable[[Session], T], page: Page, changes: bool, saves: bool) -> T:
+        answer = await self._run(lambda: work(self.session))
+        if changes:
             await self.tell_others(page)
-        if isinstance(request, SAVING):
+        if saves:
             # The page does not wait for the disk: an event tells it when the session is saved.
             self._hold(asyncio.get_running_loop().create_task(self.save()), self._tasks)
         return answer

@@ -20,7 +20,7 @@ export function mountKeeping(studio, face) {
       return;
     }
     const { values } = (await studio.actions.ask("dial", { ...face(), live: false })) ?? {};
-    const file = values && (await studio.actions.ask("name_pose", { name: name.value.trim(), kind, values }));
+    const file = values && (await studio.actions.ask("save_pose", { name: name.value.trim(), kind, values }));
     if (!file) return;
     downloadText(file.text, file.file);
     const { store } = studio;

@@ -42,7 +42,7 @@ export function mountProfile(element, { store, actions }) {
   });
 
   function text() {
-    return actions.ask("profile_save", { base, name: name.value.trim() || "mine", numbers });
+    return actions.ask("profile_text", { base, name: name.value.trim() || "mine", numbers });
   }
 
   async function exportIt() {

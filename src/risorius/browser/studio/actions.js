@@ -100,12 +100,12 @@ export class Actions {
 
   /** Set all markers of the line. @param {import("../wire.js").Marker[]} markers */
   setMarkers(markers) {
-    return this.#changing("markers", { markers }, "");
+    return this.#changing("set_markers", { markers }, "");
   }
 
   /** Say which lanes are muted, solo and locked. @param {import("../wire.js").LaneStates} lanes */
   setLanes(lanes) {
-    return this.#changing("lanes", { lanes }, "");
+    return this.#changing("set_lanes", { lanes }, "");
   }
 
   /** Make a change again that did not fit a new text. @param {number} number in the take's `lost` */

@@ -75,7 +75,7 @@ export function keepDraft({ store, connection }) {
     waits = false;
     /** @param {"saved" | "saving"} draft */
     const done = (draft) => store.get("draft") === "saving" && store.set({ draft });
-    connection.request("draft", written(store)).then(
+    connection.request("save_draft", written(store)).then(
       () => done("saved"),
       () => done("saving"),
     );

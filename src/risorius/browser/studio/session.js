@@ -72,7 +72,7 @@ function keepView({ store, connection, clock, view }) {
     if (store.get("link") !== "up" || store.get("take") === null || clock.playing) return;
     const [tab, graphs] = [store.get("tab"), store.get("graphs")];
     const shown = { tab, graphs, camera: view.state, time: clock.time };
-    connection.request("view", { view: shown }).catch(() => {});
+    connection.request("save_view", { view: shown }).catch(() => {});
   }, WAIT);
   store.watch(["tab", "graphs"], keep);
   clock.on("tick", keep);

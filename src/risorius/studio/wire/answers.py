@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from .takes import Previewed, State, TakeChange, TakeView
-
 
 @dataclass(frozen=True, slots=True)
 class FacesSent:
@@ -94,23 +92,6 @@ class ParameterDetail:
 
 
 @dataclass(frozen=True, slots=True)
-class FiredRule:
-    """A rule, its comment, the ids of its blocks and the start of each."""
-
-    rule: str
-    comment: str
-    blocks: tuple[str, ...]
-    times: tuple[float, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class FiredRules:
-    """The rules that fired in a take, in order of their ids."""
-
-    rules: tuple[FiredRule, ...]
-
-
-@dataclass(frozen=True, slots=True)
 class ProfileFile:
     """A profile as TOML, to be saved as a file or performed with `choices.profile_text`."""
 
@@ -132,9 +113,3 @@ class Job:
     """An export that has begun."""
 
     job: int
-
-
-ANSWERS: tuple[type, ...] = (
-    TakeView, TakeChange, State, FacesSent, Done, DialState, Download, Explanations, ParameterDetail,
-    FiredRules, ProfileFile, PoseFile, Job, Previewed,
-)  # fmt: skip

@@ -1,4 +1,4 @@
-"""The requests of a page, by verb."""
+"""The messages of a page's requests; `request_table` has a row for each."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class Prepare:
 
 
 @dataclass(frozen=True, slots=True)
-class Draft:
+class SaveDraft:
     """Save a text that is written but not performed, with the fields of Perform; State has it until then."""
 
     source: Source
@@ -254,13 +254,6 @@ class Compare:
 
 
 @dataclass(frozen=True, slots=True)
-class RulesFired:
-    """Ask which rules fired and when; answered by FiredRules."""
-
-    take: Whole
-
-
-@dataclass(frozen=True, slots=True)
 class ProfileText:
     """Ask for a profile as TOML, with numbers changed by dotted key ("blinks.wait"); answered by ProfileFile.
 
@@ -294,41 +287,7 @@ class Project:
 
 
 @dataclass(frozen=True, slots=True)
-class View:
+class SaveView:
     """Save the page's view (camera, tab, playhead …) with the project."""
 
     view: PageView
-
-
-VERBS: Mapping[str, type] = {
-    "open": Open,
-    "perform": Perform,
-    "prepare": Prepare,
-    "draft": Draft,
-    "stop": Stop,
-    "choose": Choose,
-    "relabel": Relabel,
-    "edit_all": EditAll,
-    "preview_all": PreviewAll,
-    "markers": SetMarkers,
-    "lanes": SetLanes,
-    "bring_back": BringBack,
-    "let_go": LetGo,
-    "undo": Undo,
-    "redo": Redo,
-    "faces": Faces,
-    "face_at": FaceAt,
-    "cancel": Cancel,
-    "dial": Dial,
-    "name_pose": SavePose,
-    "explain": Explain,
-    "channel_curves": ChannelCurves,
-    "compare": Compare,
-    "rules_fired": RulesFired,
-    "profile_save": ProfileText,
-    "export": Export,
-    "cancel_export": CancelExport,
-    "project": Project,
-    "view": View,
-}
-"""All requests except `edit` and `preview`, whose class EDITS names by their `kind`."""
