@@ -29,7 +29,7 @@ from ..render.camera import Camera
 from ..render.framing import frame_head
 from ..render.software_renderer import SoftwareRenderer
 from ..settings import Look, Settings
-from ..take import make_solver
+from ..solvers import SolverCache
 
 K = TypeVar("K")
 V = TypeVar("V")
@@ -110,7 +110,7 @@ class PictureServer:
         self._token = token
         self._lock = threading.Lock()
         self._waiting = 0
-        self._solvers: OrderedDict[Person, FaceSolver] = OrderedDict()
+        self._solvers = SolverCache(KEPT)
         self._renderers: OrderedDict[object, SoftwareRenderer] = OrderedDict()
 
     def route(self) -> Route:
@@ -142,15 +142,11 @@ class PictureServer:
         return file.getvalue()
 
     def _draw(self, wanted: WantedPicture) -> ByteArray:
-        solver = _kept(self._solvers, wanted.person, lambda: make_solver(_settings(wanted.person)))
+        solver = self._solvers.shared(Settings(head=wanted.person.head, age=wanted.person.age))
         key = wanted.person, wanted.width
         renderer = _kept(self._renderers, key, lambda: _renderer(solver, wanted))
         renderer.look_from(wanted.camera or frame_head(renderer.scene.anatomy, wanted.width / HEIGHT))
         return renderer.render(solver.solve(np.clip(wanted.values, _LOWEST, _HIGHEST)))
-
-
-def _settings(person: Person) -> Settings:
-    return Settings(head=person.head, age=person.age)
 
 
 def _renderer(solver: FaceSolver, wanted: WantedPicture) -> SoftwareRenderer:
