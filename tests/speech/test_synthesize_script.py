@@ -18,7 +18,7 @@ def test_a_line_may_not_start_before_the_one_before_it_ends() -> None:
     script = parse_markup(
         '<PHONEME time="0" text="Hello there." />\n<PHONEME time="0.3" text="You." />', "x.xml"
     )
-    with pytest.raises(InputError, match=r"x\.xml:2:.*the words before last until 0\.\d+ s"):
+    with pytest.raises(InputError, match=r"x\.xml:2:.*which ends at 0\.\d+ s"):
         synthesize_script(script)
 
 

@@ -1,4 +1,4 @@
-"""What a browser runs: pages of the studio, of live faces and of `.html` files. No other Python is here."""
+"""The files that a browser runs: pages of the studio, of live faces and of `.html` files; no other Python."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ _RETURNED = {
 
 
 class _Signature(NamedTuple):
-    """What a function takes and returns, and how its call is written."""
+    """The arguments and the result of a function, and the form of its call."""
 
     call: str
     takes: tuple[str, ...]

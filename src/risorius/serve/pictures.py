@@ -47,7 +47,7 @@ _LOWEST, _HIGHEST = (np.array([getattr(p, end) for p in PARAMETERS]) for end in 
 
 @dataclass(frozen=True, slots=True)
 class Person:
-    """Which head is drawn, and how it looks."""
+    """The head that is drawn, and its look."""
 
     head: str
     age: float | None = None
@@ -57,7 +57,7 @@ class Person:
 
 @dataclass(frozen=True, slots=True)
 class WantedPicture:
-    """What a page asks for. `values` are those of all parameters; without a camera the head is framed."""
+    """A page's request. `values` are those of all parameters; without a camera the head is framed."""
 
     person: Person
     width: int

@@ -106,7 +106,7 @@ class Speaker:
                 self.progress((number + 1) / len(stretches))
         if guessed:
             names = ", ".join(f"'{name}'" for name in guessed)
-            warn(f"unknown phones are shown as the nearest class of phones: {names}", SpeechWarning)
+            warn(f"no mouth shape for {names}: using the nearest phone class", SpeechWarning)
 
     def _rendition(self, request: SpeechRequest) -> Rendition:
         """Return what was `spoken` for a request, or let the engine speak it and add it there."""
@@ -132,7 +132,9 @@ def find_speaker(name: str | None, language: str | None, engine: SpeechEngine | 
 def _answering(text: str, tokens: Sequence[Token], directions: Directions, language: Language) -> Directions:
     """Return directions by which the voice raises what is new in an answer and lowers what is given."""
     if not language.spaces:
-        raise InputError(f"questions are not compared in '{language.code}'; expected a language with blanks")
+        raise InputError(
+            f"--answers needs a language that separates words by spaces; '{language.code}' does not"
+        )
     ends = [stretch.end for stretch in divide(text, language) if stretch.ends_sentence]
     gaps = [text[a.end : b.start].strip() for a, b in pairwise(tokens)]
     words = [

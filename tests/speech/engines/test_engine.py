@@ -59,7 +59,7 @@ def test_another_engine_by_registration() -> None:
 
 
 def test_guessed_sounds_are_reported() -> None:
-    with pytest.warns(SpeechWarning, match="nearest class of phones: 'ǁ'"):
+    with pytest.warns(SpeechWarning, match="no mouth shape for 'ǁ': using the nearest phone class"):
         synthesize_line("Word.", engine=Beeper(guessed=("ǁ",)))
 
 

@@ -155,5 +155,5 @@ def test_with_a_recording_the_question_of_a_file_is_not_read(tmp_path: Path) -> 
 def test_what_is_no_question_is_refused() -> None:
     with pytest.raises(InputError, match="has no words"):
         synthesize_script(parse_script("Julia.", ".txt"), answers="?!")
-    with pytest.raises(InputError, match="not compared in 'cmn'"):
+    with pytest.raises(InputError, match="separates words by spaces; 'cmn' does not"):
         synthesize_line("我喜欢茶。", language="cmn", directions=Directions(answers="你喜欢什么?"))

@@ -115,7 +115,9 @@ class Assembler:
         follows = end + round(line.gap * rate) if end else 0
         start = follows if line.time is None else round(line.time * rate)
         if start < end:
-            raise InputError(f"time = {line.time:g}, but the words before last until {end / rate:.2f} s")
+            raise InputError(
+                f"time = {line.time:g} s overlaps the previous line, which ends at {end / rate:.2f} s"
+            )
         if start > end:
             self._segments.append(Segment(SILENCE, end, start))
             writer.silence((start - end) / rate)
