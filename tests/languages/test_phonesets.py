@@ -20,6 +20,8 @@ def test_the_sets_are_the_39_phones_of_arpabet() -> None:
     assert len(phonesets.CONSONANTS) == 24
     assert phonesets.STOPS <= phonesets.CONSONANTS
     assert {"P", "T", "K", "CH"} == phonesets.VOICELESS_STOPS
+    assert {"M", "N", "NG", "L", "R", "W", "Y"} == phonesets.SONORANTS
+    assert {"S", "Z", "SH", "ZH", "F", "TH", "V", "DH", "HH"} == phonesets.HISSES
 
 
 def test_arpabet_survives_ipa_and_back() -> None:

@@ -37,6 +37,9 @@ _CLOSED = (PhoneManner.STOP, PhoneManner.AFFRICATE)
 STOPS = inventory().made(*_CLOSED)
 VOICELESS_STOPS = inventory().made(*_CLOSED, voiced=False)
 NASALS = inventory().made(PhoneManner.NASAL)
+SONORANTS = NASALS | CONSONANTS & inventory().made(PhoneManner.LATERAL, PhoneManner.RHOTIC, PhoneManner.GLIDE)
+"""Consonants that are sung like vowels."""
+HISSES = inventory().made(PhoneManner.SIBILANT, PhoneManner.FRICATIVE, PhoneManner.ASPIRATE)
 
 UNKNOWN_VOWEL = "AH"
 UNKNOWN_CONSONANT = "T"

@@ -11,11 +11,10 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from ...core.arrays import Array
+from ...languages.phonesets import HISSES, SONORANTS
 from .decoder import AlignedPhone
 from .spectra import STEP_SECONDS, edge_steps
-from .voice_stops import HISSES, voice_stops
-
-_VOICED = frozenset({"M", "N", "NG", "L", "R", "W", "Y"})
+from .voice_stops import voice_stops
 
 
 def hiss_ends(levels: Array, phones: Sequence[AlignedPhone], edges: Array) -> Array:
@@ -26,7 +25,7 @@ def hiss_ends(levels: Array, phones: Sequence[AlignedPhone], edges: Array) -> Ar
     steps = edge_steps(levels, edges)
     placed = edges.copy()
     for index, (hiss, after) in enumerate(pairwise(phones)):
-        if hiss.symbol in HISSES and after.symbol in _VOICED and 0 <= hiss.word < after.word:
+        if hiss.symbol in HISSES and after.symbol in SONORANTS and 0 <= hiss.word < after.word:
             stop = voice_stops(levels, hiss.symbol, steps[index : index + 3])
             if stop is not None:
                 placed[index] = 0.5 * sum(stop) * STEP_SECONDS

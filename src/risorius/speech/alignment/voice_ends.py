@@ -22,9 +22,8 @@ from .spectra import STEP_SECONDS, edge_steps
 # are). From a third to a tenth of the amplitude, ends differ by 4 ms in the mean.
 _FALL = np.log(25.0)
 _VOICE = 0
-_VOICED = frozenset({"M", "N", "NG", "L", "R", "W", "Y"})
-_HISSES = frozenset({"S", "Z"})
-_LASTING = _VOICED | _HISSES | {"SH", "ZH", "F", "V", "TH", "DH", "HH"}
+_ALIKE = frozenset({"S", "Z"})
+_LASTING = phonesets.SONORANTS | phonesets.HISSES
 
 
 def voice_ends(levels: Array, phones: Sequence[AlignedPhone], edges: Array) -> Array:
@@ -38,7 +37,11 @@ def voice_ends(levels: Array, phones: Sequence[AlignedPhone], edges: Array) -> A
     for index, (phone, after) in enumerate(pairwise(phones)):
         if phonesets.is_vowel(phone.symbol):
             vowel = index
-        if vowel < 0 or after.symbol != SILENCE or not (vowel == index or phone.symbol in _VOICED):
+        if (
+            vowel < 0
+            or after.symbol != SILENCE
+            or not (vowel == index or phone.symbol in phonesets.SONORANTS)
+        ):
             continue
         first, end = steps[index : index + 2].tolist()
         whole = levels[steps[vowel] : max(steps[vowel + 1], steps[vowel] + 1), _VOICE]
@@ -60,7 +63,7 @@ def shared_sounds(phones: Sequence[AlignedPhone], edges: Array) -> Array:
     """
     placed = edges.copy()
     for index, (one, two, after) in enumerate(zip(phones, phones[1:], phones[2:], strict=False)):
-        alike = one.symbol == two.symbol or {one.symbol, two.symbol} == _HISSES
+        alike = one.symbol == two.symbol or {one.symbol, two.symbol} == _ALIKE
         lasts = one.symbol in _LASTING or phonesets.is_vowel(one.symbol)
         if alike and lasts and index > 0 and 0 <= one.word < two.word:
             cluster = not (phonesets.is_vowel(two.symbol) or phonesets.is_vowel(after.symbol))

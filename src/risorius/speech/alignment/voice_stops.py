@@ -8,9 +8,9 @@ from __future__ import annotations
 import numpy as np
 
 from ...core.arrays import Array, BoolArray, Int64Array
+from ...languages.phonesets import HISSES
 from .spectra import STEP, STEP_SECONDS, WINDOW
 
-HISSES = frozenset({"S", "Z", "SH", "ZH", "F", "TH", "V", "DH", "HH"})
 # Seconds before the sound after it in which a stop of the voice begins.
 _BEFORE = 0.09
 # One lasts 30 ms at least; windows of the spectra lie wholly inside for so long less their own length. A
