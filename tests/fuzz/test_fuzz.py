@@ -73,7 +73,6 @@ OURS = {
     "core/kernels/shipped": "code of the kernels that we built",
     "core/pcm": "samples, of which all bytes are right",
     "core/positions": "keys that were parsed before",
-    "core/worker_process": "answers of our workers",
     "face/regions": "the bytes of its own table",
     "ports/html": "bytes that it writes",
     "ports/npz": "writes",
@@ -81,10 +80,8 @@ OURS = {
     "ports/video/messages": "messages to our encoder",
     "ports/video/worker": "messages from us",
     "ports/wav": "sound that we wrote",
-    "speech/alignment/aligner_worker": "requests of ours",
     "speech/engines/espeak": "answers of our worker",
     "speech/engines/piper": "sound of a program that the user names",
-    "speech/engines/worker": "requests of ours",
     "speech/recordings/film_sound": "answers of our decoder",
     "studio/exports": "writes",
 }

@@ -1,0 +1,1 @@
+"""What runs the package's work and is not about faces: other processes, compiled kernels."""
