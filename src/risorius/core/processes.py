@@ -6,16 +6,12 @@ from __future__ import annotations
 
 import contextlib
 import os
-import signal
 import socket
 import subprocess
 import sys
-import tempfile
-import threading
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import IO, TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any
 
 from .frozen import FrozenDict
 
@@ -24,24 +20,10 @@ if TYPE_CHECKING:
 
 LOOK = 0.5  # s between two looks at a process that does not answer
 _STOPPED = 4  # looks at which it stands still in succession: then nobody continues it
-_LAST_WORDS = 4_000  # bytes of what a program complains of that are read
 
 
 class SilentError(Exception):
     """A process does not answer; the message says why it is given up."""
-
-
-class TooLongError(Exception):
-    """A program answers with more bytes than it may."""
-
-
-@dataclass(frozen=True, slots=True)
-class Finished:
-    """A program that has ended: its exit status, its output, and the last line that it complained of."""
-
-    status: int
-    output: bytes
-    complaint: str
 
 
 def processors() -> int:
@@ -133,72 +115,3 @@ def is_stopped(pid: int) -> bool:
         return Path(f"/proc/{pid}/stat").read_bytes().rpartition(b")")[2].split()[0] == b"T"
     except (OSError, IndexError):
         return False
-
-
-def run(command: Sequence[str], data: bytes, seconds: float, largest: int) -> Finished:
-    """Run a foreign program with `data` on its input, and return what it prints.
-
-    After that none of its processes is left. Raises OSError if it cannot be started, SilentError if it takes
-    longer than `seconds`, and TooLongError if it prints more than `largest` bytes.
-    """
-    with tempfile.TemporaryFile() as complaints:
-        process = subprocess.Popen(
-            command,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=complaints,
-            start_new_session=True,
-        )
-        assert process.stdin is not None
-        assert process.stdout is not None
-        output = bytearray()
-        feeder = threading.Thread(target=_feed, args=(process.stdin, data), daemon=True)
-        reader = threading.Thread(target=_collect, args=(process.stdout, output, largest), daemon=True)
-        try:
-            feeder.start()
-            reader.start()
-            for step in patience(process.pid, seconds):
-                reader.join(step)
-                if not reader.is_alive() and (len(output) > largest or _has_ended(process, step)):
-                    break
-            if len(output) > largest:
-                raise TooLongError(f"printed more than {largest // 1_000_000} MB")
-            return Finished(process.wait(), bytes(output), _last_line(complaints))
-        finally:
-            _end(process)
-            for thread in (feeder, reader):
-                thread.join(timeout=1.0)
-
-
-def _feed(pipe: IO[bytes], data: bytes) -> None:
-    with contextlib.suppress(OSError), pipe:
-        pipe.write(data)
-
-
-def _collect(pipe: IO[bytes], output: bytearray, largest: int) -> None:
-    with contextlib.suppress(OSError, ValueError), pipe:
-        while len(output) <= largest and (piece := os.read(pipe.fileno(), 65_536)):
-            output += piece
-
-
-def _has_ended(process: subprocess.Popen[bytes], seconds: float) -> bool:
-    try:
-        process.wait(timeout=seconds)
-    except subprocess.TimeoutExpired:
-        return False
-    return True
-
-
-def _last_line(complaints: IO[bytes]) -> str:
-    complaints.seek(max(0, complaints.seek(0, os.SEEK_END) - _LAST_WORDS))
-    lines = complaints.read().decode("utf-8", "replace").strip().splitlines()
-    return lines[-1].strip() if lines else ""
-
-
-def _end(process: subprocess.Popen[bytes]) -> None:
-    """End a program and all that it has started; on Windows, which has no groups of them, the program."""
-    if sys.platform != "win32":
-        with contextlib.suppress(ProcessLookupError, PermissionError):
-            os.killpg(process.pid, signal.SIGKILL)
-    process.kill()
-    process.wait()
