@@ -212,9 +212,7 @@ def test_a_film_whose_encoder_is_lost_is_begun_again(
         picture(self, rgb)
 
     monkeypatch.setattr(VideoEncoder, "picture", losing)
-    with pytest.warns(
-        RisoriusWarning, match=r"ended .* \(signal 9\); the film is begun again"
-    ):
+    with pytest.warns(RisoriusWarning, match=r"ended .* \(signal 9\); the film is begun again"):
         write_film(take, path, options, "mp4")
     assert path.read_bytes() == whole
 
