@@ -73,7 +73,7 @@ def _option(row: Row) -> str:
 
 def _value(row: Row) -> str:
     names, low, high = row.entry.names, row.entry.low, row.entry.high
-    if names is not None and not names.path and row.kind is not ValueKind.RATE:
+    if names is not None and names.known and row.kind in (ValueKind.TEXT, ValueKind.SEVERAL):
         return ", ".join(names.known)
     return str(row.kind) if low is None or high is None else f"{row.kind}, {low:g} to {high:g}"
 

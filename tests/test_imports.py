@@ -73,7 +73,7 @@ NAMED = re.compile(r"([a-z_]+(?:\.[a-z_]+)+):\w+")
 BY_NAME = {
     "__init__.py",
     "channels/registry.py",
-    "core/setting.py",
+    "core/names.py",
     "notebook/shown_take.py",
     "languages/load.py",
     "machine/worker.py",

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import ast
 import importlib.util
 import inspect
+import re
 from collections.abc import Callable
 from dataclasses import fields, replace
 from fractions import Fraction
@@ -12,6 +14,7 @@ from typing import Any
 
 import pytest
 
+from risorius import settings
 from risorius.core.score import BlendSettings
 from risorius.core.setting import rows
 from risorius.errors import InputError, RisoriusError
@@ -122,6 +125,29 @@ def test_every_setting_is_whole(row) -> None:  # type: ignore[no-untyped-def]
     assert (entry.low is None) == (entry.high is None)
     assert entry.names is None or entry.names.choices()
     assert row.usual is not None or entry.unset or row.flag is None or row.name in ("rules", "every")
+
+
+def test_no_help_spells_names_that_the_table_knows() -> None:
+    """Help has {names} in place of a list that would have to be kept up to date by hand."""
+    spelled = []
+    for call in ast.walk(ast.parse(inspect.getsource(settings))):
+        if isinstance(call, ast.AnnAssign) and isinstance(call.target, ast.Name):
+            row = rows(Settings).get(call.target.id)
+            if row is None or row.entry.names is None or not isinstance(call.value, ast.Call):
+                continue
+            if row.entry.find == settings.BY_VOICE:
+                continue  # its help has examples
+            texts = [node.value for node in call.value.args if isinstance(node, ast.Constant)]
+            words = set(re.findall(r"[\w-]+", " ".join(map(str, texts[2:]))))
+            known = {choice.name for choice in row.entry.names.choices()}
+            spelled += [f"{row.name}: {words & known}"] if len(words & known) > 1 else []
+    assert spelled == []
+
+
+def test_help_names_what_can_be_chosen() -> None:
+    row = rows(Settings)["conflict"]
+    assert row.entry.help.endswith(": inhibit, graded, attenuate or sum.")
+    assert rows(Settings)["rate"].entry.help == "Words per minute, 80 to 440."
 
 
 def test_parse_size() -> None:

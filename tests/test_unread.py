@@ -165,12 +165,12 @@ def test_a_capture_a_pose_and_a_character_refuse_what_they_do_not_read() -> None
         (["speak", "--audio", "x.wav", "--text"], "--text has no effect: INPUT is missing"),
         (
             ["stream", "Oh.", "--names", "arkit"],
-            "--names has no effect: livelink does not send it; expected the protocol vmc",
+            "--names has no effect: livelink does not use it; expected the protocol vmc",
         ),
         (["stream", "Oh.", "--protocol", "vmc", "--subject", "me"], "--subject has no effect: vmc does not"),
         (["stream", "Oh.", "--preset", "close-up"], "has no effect: no output is a picture or a video"),
         (["stream", "--text"], "nothing to perform; expected a text, a file or --audio"),
-        (["stream", "Oh.", "--patience", "2"], "--patience has no effect: nothing waits for a greeting"),
+        (["stream", "Oh.", "--patience", "2"], "--patience has no effect: only --listen waits for"),
     ],
 )
 def test_options_of_other_commands(

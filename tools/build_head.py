@@ -29,7 +29,7 @@ RECIPES = TEMPLATE / "muscles.toml"
 
 
 def main(arguments: list[str] | None = None) -> None:
-    """Build the heads named on the command line; `standard` where none is."""
+    """Build the heads named on the command line; `standard` if none is."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("heads", nargs="*", metavar="HEAD", default=["standard"])
     parser.add_argument("--all", action="store_true", help="every head that comes with Risorius")

@@ -31,7 +31,7 @@ RECIPES = TEMPLATE / "muscles.toml"
 
 
 def main(arguments: list[str] | None = None) -> None:
-    """Build the shapes of the heads named on the command line; of `standard` where none is."""
+    """Build the shapes of the heads named on the command line; of `standard` if none is."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("heads", nargs="*", metavar="HEAD", default=["standard"])
     parser.add_argument("--all", action="store_true", help="every head that comes with Risorius")

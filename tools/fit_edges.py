@@ -1,8 +1,9 @@
 """Learn how the aligner's edges are off, and what edges between phones sound like, from labelled speech.
 
-Run from the repository's root: `python tools/fit_edges.py FOLDER [OUT.toml]`, FOLDER in TIMIT's layout
+Run from the repository's root: `python tools/fit_edges.py FOLDER [OUT]`, FOLDER in TIMIT's layout
 (`benchmarks/timit.py`). It prints how far edges are from the labels, each speaker judged by what was learned
-from the others, then learns from all and writes the table (`src/risorius/speech/alignment/data/edges.toml`).
+from the others, then learns from all and writes `edges.npz`, with its provenance beside it, to the folder OUT
+(`src/risorius/speech/alignment/data`).
 """
 
 from __future__ import annotations
@@ -18,45 +19,27 @@ import numpy.typing as npt
 from scipy.optimize import minimize
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "benchmarks"))
+from headbuild.pack import write_npz
 from timit import Label, Sentence, matched, sentences
 
-from risorius.core.arrays import Array, BoolArray, Int64Array
+from risorius.core.arrays import AnyArray, Array, BoolArray, Int64Array
+from risorius.languages.phones import inventory
 from risorius.speech.alignment.aligner import decoded
-from risorius.speech.alignment.edges import (
-    FEATURES,
-    REACH,
-    EdgeModel,
-    EdgeTable,
-    candidate_features,
-    compiled,
-)
+from risorius.speech.alignment.edges import CLASSES, FEATURES, FILE, REACH, candidate_features, model_of
 from risorius.speech.alignment.lexicon import read_transcript
 from risorius.speech.alignment.spectra import STEP_SECONDS, band_levels
 from risorius.speech.recordings.recording import read_recording
 from risorius.speech.recordings.resampled import Resampled
 
-TABLE = Path("src/risorius/speech/alignment/data/edges.toml")
-CLASSES = {
-    "vowel": "AA AE AH AO AW AY EH EY IH IY OW OY UH UW",
-    "rhotic": "R ER",
-    "lateral": "L",
-    "glide": "W Y",
-    "voiceless_stop": "P T K",
-    "voiced_stop": "B D G",
-    "affricate": "CH JH",
-    "sibilant": "S Z SH ZH",
-    "voiceless_fricative": "F TH",
-    "voiced_fricative": "V DH",
-    "aspirate": "HH",
-    "nasal": "M N NG",
-    "silence": "",
-}
-NUMBERS = {p: n for n, phones in enumerate(CLASSES.values()) for p in (phones.split() or [""])}
-# A median of n errors counts as n of so many more.
+DATA = Path("src/risorius/speech/alignment/data")
+NUMBERS = {phone: CLASSES.index(sound) for phone, sound in inventory().sound_classes().items()}
+Learned = dict[str, AnyArray]
+"""The arrays of the file by name (`model_of`)."""
+# A median of n errors is weighted n / (n + PRIOR_ERRORS).
 PRIOR_ERRORS = 3
 # Penalties on squared weights: common to all edges, and of one class.
 COMMON_PENALTY, CLASS_PENALTY = 1.0, 10.0
-# Seconds: labels are taken to be so exact.
+# Seconds: the assumed accuracy of labels.
 LABEL_SPREAD = 0.005
 # Errors beyond this are other phones than those labelled.
 MISMATCH = 0.15
@@ -97,8 +80,8 @@ def collect(spoken: list[Sentence]) -> tuple[Edges, list[Array]]:
     return Edges(*classes, before, labelled, which.astype(np.int64)), levels
 
 
-def fit(edges: Edges, levels: list[Array]) -> EdgeTable:
-    """Learn the table from edges."""
+def fit(edges: Edges, levels: list[Array]) -> Learned:
+    """Return the arrays that are learned from edges."""
     bias = median_errors(edges)
     steps = np.round((edges.before - bias[edges.left, edges.right]) / STEP_SECONDS).astype(np.int64)
     features = gathered(edges, steps, levels)
@@ -123,8 +106,8 @@ def median_errors(edges: Edges) -> Array:
 
 
 def gathered(edges: Edges, steps: Int64Array, levels: list[Array]) -> Array:
-    """Return the features of all candidates, shape (n, candidates, FEATURES)."""
-    features = np.empty((len(steps), 2 * REACH + 1, FEATURES))
+    """Return the features of all candidates, shape (n, candidates, features)."""
+    features = np.empty((len(steps), 2 * REACH + 1, len(FEATURES)))
     for number in np.unique(edges.sentence):
         inside = edges.sentence == number
         features[inside] = candidate_features(levels[number], steps[inside])
@@ -132,9 +115,9 @@ def gathered(edges: Edges, steps: Int64Array, levels: list[Array]) -> Array:
 
 
 def logit(features: Array, wanted: Array, edges: Edges) -> Array:
-    """Return weights (1 + 2 classes, FEATURES) of a conditional logit: common, by left, by right class."""
+    """Return weights (1 + 2 classes, features) of a conditional logit: common, by left, by right class."""
     count = len(CLASSES)
-    shape = (1 + 2 * count, FEATURES)
+    shape = (1 + 2 * count, len(FEATURES))
     penalty = np.full((shape[0], 1), CLASS_PENALTY)
     penalty[0] = COMMON_PENALTY
 
@@ -157,30 +140,22 @@ def logit(features: Array, wanted: Array, edges: Edges) -> Array:
     return np.asarray(found.x.reshape(shape))
 
 
-def tabulated(bias: Array, weights: Array) -> EdgeTable:
-    """Return what was learned as a table, rounded."""
-    names = list(CLASSES)
-
-    def row(values: Array) -> tuple[float, ...]:
-        return tuple(round(float(v), 3) for v in values)
-
-    by_class = [row(values) for values in weights[1:]]
-    return EdgeTable(
-        classes={name: tuple(phones.split() or [""]) for name, phones in CLASSES.items()},
-        bias={
-            f"{names[i]} {names[j]}": round(float(bias[i, j]), 4)
-            for i, j in np.ndindex(bias.shape)
-            if bias[i, j]
-        },
-        common=row(weights[0]),
-        left=dict(zip(names, by_class[: len(names)], strict=True)),
-        right=dict(zip(names, by_class[len(names) :], strict=True)),
-    )
+def tabulated(bias: Array, weights: Array) -> Learned:
+    """Return what was learned as the arrays of the file, rounded."""
+    count, rounded = len(CLASSES), weights.round(3)
+    return {
+        "classes": np.array([str(name) for name in CLASSES]),
+        "features": np.array(FEATURES),
+        "bias": bias.round(4),
+        "common": rounded[0],
+        "left": rounded[1 : 1 + count],
+        "right": rounded[1 + count :],
+    }
 
 
-def errors(edges: Edges, levels: list[Array], table: EdgeTable) -> dict[str, Array]:
+def errors(edges: Edges, levels: list[Array], learned: Learned) -> dict[str, Array]:
     """Return the errors in seconds of the decoder's edges, of those less their bias, and of those placed."""
-    model: EdgeModel = compiled(table)
+    model = model_of(learned)
     corrected = edges.before - model.bias[edges.left, edges.right]
     steps = np.round(corrected / STEP_SECONDS).astype(np.int64)
     weights = model.left[edges.left] + model.right[edges.right]
@@ -195,8 +170,8 @@ def cross_validated(edges: Edges, levels: list[Array], speakers: npt.NDArray[np.
     found: dict[str, list[Array]] = {}
     for speaker in np.unique(speakers):
         held_out = speakers[edges.sentence] == speaker
-        table = fit(edges.where(~held_out), levels)
-        for name, values in errors(edges.where(held_out), levels, table).items():
+        learned = fit(edges.where(~held_out), levels)
+        for name, values in errors(edges.where(held_out), levels, learned).items():
             found.setdefault(name, []).append(np.abs(values))
     for name, parts in found.items():
         away = np.concatenate(parts)
@@ -204,38 +179,28 @@ def cross_validated(edges: Edges, levels: list[Array], speakers: npt.NDArray[np.
         yield f"{name:10s} {within}  median {1000 * np.median(away):.1f} ms  ({len(away)} edges)"
 
 
-def written(table: EdgeTable, speakers: int, count: int) -> Iterator[str]:
-    """Yield the lines of the table's file."""
-    yield "# Edges between phones: the aligner's bias, and weights of what an edge sounds like."
-    yield "# Licence: CC0 1.0. Author: the Risorius project."
-    yield f"# Learned by tools/fit_edges.py from {count} edges in hand-labelled sentences of {speakers}"
-    yield "# speakers of TIMIT (Garofolo et al. 1993): statistics only, nothing of the recordings."
-    yield "# Weights: 12 bands of the step at the edge, of the levels before, of those after, of their"
-    yield "# sum from the corrected edge on; size of the step, near and far; distance, plain and squared."
-    yield f"common = {_listed(table.common)}"
-    yield ""
-    yield "[classes]"
-    yield from (f"{name} = {_quoted(phones)}" for name, phones in table.classes.items())
-    yield ""
-    yield "# Seconds by which the decoder's edges come late."
-    yield "[bias]"
-    yield from (f'"{pair}" = {seconds}' for pair, seconds in table.bias.items())
-    for side, rows in (("left", table.left), ("right", table.right)):
-        yield ""
-        yield f"[{side}]"
-        yield from (f"{name} = {_listed(row)}" for name, row in rows.items())
+def provenance(speakers: int, count: int) -> str:
+    """Return the text that stands beside the file."""
+    return f"""# Edges between phones: where they come from
+Licence: CC0 1.0. Author: the Risorius project.
 
+`{FILE}` was learned by `tools/fit_edges.py` from {count} edges in hand-labelled sentences of {speakers}
+speakers of TIMIT (Garofolo et al. 1993): statistics only, nothing of the recordings. Its arrays:
 
-def _listed(row: tuple[float, ...]) -> str:
-    return f"[{', '.join(f'{value:g}' for value in row)}]"
-
-
-def _quoted(phones: tuple[str, ...]) -> str:
-    return "[" + ", ".join(f'"{phone}"' for phone in phones) + "]"
+| array | shape | |
+|---|---|---|
+| `classes` | ({len(CLASSES)},) | classes of phones, `SoundClass` of `languages/phones.py` |
+| `features` | ({len(FEATURES)},) | the step of the levels in 12 bands at the edge, the levels before and \
+after, their sum from the corrected edge on; the size of the step, near and far; the distance moved, plain \
+and squared |
+| `bias` | (classes, classes) | seconds by which the decoder's edges are late, by class to left and right |
+| `common` | (features,) | weights common to all edges |
+| `left`, `right` | (classes, features) | weights of the class to the left and to the right |
+"""
 
 
 def main(folder: Path, out: Path) -> None:
-    """Print the cross-validated figures and write the table."""
+    """Print the cross-validated figures and write what is learned to the folder `out`."""
     spoken = list(sentences(folder))
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
@@ -243,11 +208,12 @@ def main(folder: Path, out: Path) -> None:
     speakers = np.array([sentence.speaker for sentence in spoken])
     for line in cross_validated(edges, levels, speakers):
         print(line)
-    out.parent.mkdir(exist_ok=True)
-    lines = written(fit(edges, levels), len(np.unique(speakers)), len(edges.before))
-    out.write_text("\n".join(lines) + "\n")
-    print(f"Wrote {out}")
+    out.mkdir(parents=True, exist_ok=True)
+    write_npz(out / FILE, fit(edges, levels))
+    text = provenance(len(np.unique(speakers)), len(edges.before))
+    (out / "PROVENANCE.md").write_text(text, encoding="utf-8")
+    print(f"Wrote {out / FILE}")
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]), Path(sys.argv[2]) if len(sys.argv) > 2 else TABLE)
+    main(Path(sys.argv[1]), Path(sys.argv[2]) if len(sys.argv) > 2 else DATA)

@@ -3,8 +3,8 @@
     python tools/vulnerable.py
 
 The advisories are those that PyPI gives for each version (its JSON interface, which has them from OSV). Exits
-with 1 if there are any. Where the index cannot be reached, or has no such interface, it says that nothing was
-checked, and exits with 0: a mirror is no fault of the pins.
+with 1 if there are any. If the index cannot be reached, or lacks this interface, it says that nothing was
+checked, and exits with 0, because a mirror does not make the pins wrong.
 """
 
 from __future__ import annotations

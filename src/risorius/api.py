@@ -1,4 +1,4 @@
-"""What users call: speak, align, mix, load, play, pose, rig. The forms of arguments become stages here."""
+"""The public functions: speak, align, mix, load, play, pose, rig. They convert arguments and call stages."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def align(
     language: str | None = None,
     progress: Progress = quiet,
 ) -> Take:
-    """Return what is said when, and how, in a recording of `transcript` (a text, or the name of its file).
+    """Return the timed utterance of a recording of `transcript` (a text, or the name of its file).
 
     `language` is that of the transcript, by default English; without one the words are recognized as English.
     The take's `utterance` has it; the face rests. Raises RisoriusError with one line on what is wrong and
@@ -95,7 +95,7 @@ def mix(
     onset_function: str | None = None,
     progress: Progress = quiet,
 ) -> Take:
-    """Combine the movements of a score file; `conflict`, `onset_function` and what `settings.blend` chooses
+    """Combine the movements of a score file; `conflict`, `onset_function` and the choices of `settings.blend`
     override the score's own.
 
     Raises RisoriusError; UnreadError for settings of a voice or a plan, which a score has behind it.
@@ -116,7 +116,7 @@ def load(performance: FileName, *, settings: Settings | None = None) -> Take:
     """
     settings = checked(settings)
     file = read_performance_file(path_of(performance))
-    # Its own frame rate is no change.
+    # The file's own frame rate does not count as a change.
     compared = replace(settings, fps=Settings().fps) if settings.fps == file.performance.fps else settings
     refuse(compared, PERFORMANCE, Place(str(performance)))
     return Take(file.performance, replace(settings, fps=file.performance.fps), file.utterance)
@@ -166,7 +166,7 @@ def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Sett
     refuse(settings, POSE)
     displays = displays_of(emotion, settings)
     if any((display.start, display.end, display.priority) != (None, None, None) for display in displays):
-        raise UnreadError(["emotion"], "a pose has no times and no rivals; expected NAME:INTENSITY")
+        raise UnreadError(["emotion"], "a pose has no times and no priorities; expected NAME:INTENSITY")
     shown = {display.emotion: display.intensity for display in displays}
     keys = {name: ((0.0, value),) for name, value in posed(targets, shown).items()}
     pose_curve = ManualCurve(keys, Cause("pose", "command"))
@@ -182,7 +182,7 @@ def rig(
     output: FileName | None = None,
     settings: Settings | None = None,
 ) -> tuple[Rig, list[MuscleCoverage]]:
-    """Return what a character (`.glb` with blend shapes) has and how well it shows each of our muscles.
+    """Return a character's (`.glb`) blend shapes, and how well it shows each of our muscles.
 
     With `take` (or what makes it, once the files are known to be right) and `output`, a `.glb`, the character
     is written with the take's animation. Of `settings`, the head is read, which performs and measures. Raises
@@ -212,7 +212,7 @@ def rig(
 def displays_of(emotion: Emotions, settings: Settings) -> Displays:
     """Return the displays that a user asks for, of our emotions and those of the settings' rules.
 
-    Raises InputError for what is none.
+    Raises InputError for an invalid display.
     """
     if isinstance(emotion, Mapping):
         emotion = [Display(name, intensity) for name, intensity in emotion.items()]
@@ -239,7 +239,7 @@ def _no_emotion(value: object) -> str:
 
 
 def _text_or_file(words: object) -> str | None:
-    """Return a text, or the name of a file; raise InputError for what is neither, and for a missing path."""
+    """Return a text, or the name of a file; raise InputError for anything else, and for a missing path."""
     if words is None or isinstance(words, str):
         return words
     if not isinstance(words, PathLike):
@@ -252,7 +252,7 @@ def _text_or_file(words: object) -> str | None:
 def checked(settings: Settings | None) -> Settings:
     """Return the settings, by default the usual ones.
 
-    Raises InputError for what is none, and for a background that would fail only after all else is done.
+    Raises InputError for invalid settings, and for a background that would fail only after all else is done.
     """
     if settings is None:
         return Settings()

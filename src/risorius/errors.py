@@ -21,7 +21,7 @@ _receiver: ContextVar[Callable[[str], None] | None] = ContextVar("receiver of wa
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where in a source something stands: file name, line and column counted from 1."""
+    """A place in a source: file name, line and column counted from 1."""
 
     file: str
     line: int | None = None
@@ -33,7 +33,7 @@ class Place:
 
 
 def printable(text: str) -> str:
-    """Return text on one line: users' names may hold line ends, and what a terminal obeys."""
+    """Return text on one line: users' names may hold line ends and control characters."""
     return "".join(c if c.isprintable() else "\ufffd" for c in " ".join(text.split()))
 
 
@@ -62,7 +62,7 @@ class RisoriusError(Exception):
         super().__init__(where + self.message)
 
     def __reduce__(self) -> tuple[type[RisoriusError], tuple[object, ...]]:
-        """Return what makes the same error in another process."""
+        """Return the arguments that make the same error in another process."""
         return type(self), (self.message, self.place)
 
     def at(self, place: Place) -> RisoriusError:
@@ -71,7 +71,7 @@ class RisoriusError(Exception):
 
 
 class RisoriusWarning(UserWarning):
-    """Something was done otherwise than asked, or left out; one line saying what and where."""
+    """Something was done differently than asked, or left out; one line names it and its place."""
 
 
 class SpeechWarning(RisoriusWarning):
@@ -91,7 +91,7 @@ class UnreadError(InputError):
         super().__init__(f"{', '.join(self.names)} {verb} no effect: {reason}", place)
 
     def __reduce__(self) -> tuple[type[RisoriusError], tuple[object, ...]]:
-        """Return what makes the same error in another process."""
+        """Return the arguments that make the same error in another process."""
         return UnreadError, (self.names, self.reason, self.place)
 
     def at(self, place: Place) -> UnreadError:
@@ -108,7 +108,7 @@ class ParameterError(InputError):
 
 
 class SpeechError(RisoriusError):
-    """The speech engine failed or does not know what was asked for."""
+    """The speech engine failed or does not know the voice or language asked for."""
 
 
 class HeadError(RisoriusError):
@@ -135,7 +135,7 @@ def warn(message: str, category: type[RisoriusWarning] = RisoriusWarning) -> Non
 
 @contextmanager
 def warnings_to(receive: Callable[[str], None]) -> Iterator[None]:
-    """Call `receive` with each warning, one line, of what runs here, instead of issuing it through Python.
+    """Call `receive` with each warning of the block, one line, instead of issuing it through Python.
 
     Only this thread, or this task of an event loop, is concerned: runs beside it have their own receivers.
     """
@@ -153,7 +153,7 @@ def check_number(name: str, value: object) -> None:
 
 
 def _frames_of_ours() -> int:
-    """Return the `stacklevel` at which the package's caller stands for who calls this."""
+    """Return the `stacklevel` of the package's caller, as seen from the caller of this function."""
     frame, level = inspect.currentframe(), 0
     while frame is not None and frame.f_globals.get("__name__", "").partition(".")[0] == "risorius":
         frame, level = frame.f_back, level + 1
@@ -161,7 +161,7 @@ def _frames_of_ours() -> int:
 
 
 def unknown(kind: str, name: str, known: Iterable[str]) -> str:
-    """Word the message for an unknown name, with the nearest known one.
+    """Return the message for an unknown name, with the nearest known one.
 
     >>> unknown("emotion", "hapiness", ["happiness", "anger"])
     "unknown emotion 'hapiness'; did you mean 'happiness'?"

@@ -47,7 +47,7 @@ def speak(
 
 
 def compose(script: Script, utterance: Utterance | None, emotions: Displays, settings: Settings) -> Score:
-    """Derive the movements of all channels from what is said, if anything is, and marked."""
+    """Derive the movements of all channels from the utterance, if any, and the marks."""
     with emotions_of(settings.rules, settings.expression):
         inputs = replace(
             channels.inputs_of(script, utterance, emotions),
@@ -65,7 +65,7 @@ def compose(script: Script, utterance: Utterance | None, emotions: Displays, set
 def combine(
     score: Score, settings: Settings, utterance: Utterance | None = None, earlier: Take | None = None
 ) -> Take:
-    """Combine movements into curves; what an `earlier` take has in common with this one is taken over."""
+    """Combine movements into curves; parts that an `earlier` take has in common with this one are reused."""
     known = earlier.planned if earlier else None
     plan = Plan(score, lip_rig(score, settings.head), known)
     performance = performance_after(plan, settings.fps, known, earlier.performance if earlier else None)

@@ -16,6 +16,7 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .core import choices
 from .core import look as looks
 from .core.frame_rate import parse_fps
 from .core.setting import Group, Row, Stage, ValueKind, check, rows, setting
@@ -26,31 +27,31 @@ if TYPE_CHECKING:
     from .core.score import BlendSettings
 
     class FrameRate:
-        """What type checkers know of a frame rate: any number or text is one, and a fraction is kept."""
+        """The type of a frame rate for type checkers: any number or text, and a fraction is kept."""
 
         def __get__(self, settings: object, owner: object = None) -> Fraction: ...
         def __set__(self, settings: object, rate: Fraction | float | str) -> None: ...
 
     class FileName:
-        """What type checkers know of a file's name: a text is one, and a path is kept."""
+        """The type of a file's name for type checkers: a text is accepted, and a path is kept."""
 
         def __get__(self, settings: object, owner: object = None) -> Path | None: ...
         def __set__(self, settings: object, name: str | PathLike[str] | None) -> None: ...
 
     class PictureSize:
-        """What type checkers know of a picture's size: "640x480" or (640, 480); a tuple is kept."""
+        """The type of a picture's size for type checkers: "640x480" or (640, 480); a tuple is kept."""
 
         def __get__(self, settings: object, owner: object = None) -> tuple[int, int]: ...
         def __set__(self, settings: object, size: str | Sequence[int]) -> None: ...
 
     class NameList:
-        """What type checkers know of several names: one text or a sequence; a tuple is kept."""
+        """The type of several names for type checkers: one text or a sequence; a tuple is kept."""
 
         def __get__(self, settings: object, owner: object = None) -> tuple[str, ...]: ...
         def __set__(self, settings: object, names: str | Sequence[str]) -> None: ...
 
     class Complexion:
-        """What type checkers know of a complexion: "tan" or 0.5; a number is kept."""
+        """The type of a complexion for type checkers: "tan" or 0.5; a number is kept."""
 
         def __get__(self, settings: object, owner: object = None) -> float | None: ...
         def __set__(self, settings: object, complexion: str | float | None) -> None: ...
@@ -73,8 +74,6 @@ else:
 
 LARGEST_SIDE = 4096
 BY_VOICE = "core.setting:later"  # to look a voice up starts the speech engine
-DYNAMICS = ("springs", "biphasic", "static")
-MUSCLE_MODES = ("fields", "lines")
 
 _voice = partial(setting, Stage.VOICE, Group.VOICE)
 _silence = partial(setting, Stage.VOICE, Group.TIME)
@@ -89,7 +88,7 @@ _output = partial(setting, Stage.OUTPUT, Group.PICTURE)
 
 
 def parse_size(text: str) -> tuple[int, int]:
-    """Return width and height of a text such as "720x720"; raise InputError if it is none."""
+    """Return width and height of a text such as "720x720"; raise InputError for any other text."""
     match = re.fullmatch(r"(\d{1,5})[xX×](\d{1,5})", text.strip())
     if match is None:
         raise InputError(f"size '{text}' is not a size; expected e.g. 720x720")
@@ -107,31 +106,32 @@ def _shown(settings: Any) -> str:
 # fmt: off
 @dataclass(frozen=True, slots=True)
 class Look(metaclass=Named):
-    """How a head is drawn; frozen, checked on creation (InputError names the choice at fault)."""
+    """The look of a drawn head; frozen, checked on creation (InputError names the choice at fault)."""
 
     style: str = _picture(
-        "Style", "realistic", "Style of the picture: realistic, clay, muscles or wireframe.",
+        "Style", "realistic", "Style of the picture: {names}.",
         names=looks.STYLES)
     camera: str = _picture(
         "Camera", "portrait",
-        "portrait, close-up, eyes, mouth, three-quarter or profile; after a colon, the focal length in mm.",
+        "{names}; after a colon, the focal length in mm.",
         metavar="NAME[:MM]", names=looks.FRAMINGS, read=looks.parse_camera, fills=("camera", "lens"))
     lens: float = _picture(
         "Lens, mm", looks.USUAL_LENS, "Focal length in mm on 24 × 36 mm film.",
         flag=None, metavar="MM", low=20.0, high=400.0, step=1.0)
-    light: str = _picture("Light", "studio", "studio, daylight or dark.", names=looks.LIGHTS)
+    light: str = _picture("Light", "studio", "{names}.", names=looks.LIGHTS)
     background: str | None = _picture(
         "Background", None, "A CSS colour, a picture file, or 'transparent' (.png, .webm, .mov).",
         metavar="WHAT", unset="the light's own")
-    quality: str = _picture("Quality", "normal", "draft, normal or high.", names=looks.QUALITIES)
+    quality: str = _picture("Quality", "normal", "{names}.", names=tuple(looks.QUALITIES))
     hair: str | None = _appearance(
-        "Hair", None, "short, medium, tied, shaved or bald.",
+        "Hair", None, "{names}.",
         names=looks.HAIR_STYLES, what="hair style", unset="the head's own")
     complexion: Complexion = _appearance(
-        "Complexion", None, "fair, light, tan, brown, dark, or 0 (the fairest) to 1 (the darkest).",
-        low=0.0, high=1.0, names="core.look:COMPLEXIONS", read=looks.parse_complexion, unset="the head's own")
+        "Complexion", None, "{names}, or {low} (the fairest) to {high} (the darkest).",
+        low=0.0, high=1.0, names=tuple(looks.COMPLEXIONS), registry="core.look:COMPLEXIONS",
+        read=looks.parse_complexion, unset="the head's own")
     overlay: NameList = _picture(
-        "Overlay", (), "Explanations in the picture: caption, phones, bars, lanes; separated by commas.",
+        "Overlay", (), "Explanations in the picture: {names}; separated by commas.",
         metavar="NAME,…", names=looks.OVERLAYS, read=looks.parse_overlay)
 
     def __post_init__(self) -> None:
@@ -147,13 +147,14 @@ class Look(metaclass=Named):
 
 @dataclass(frozen=True, slots=True)
 class BlendChoices(metaclass=Named):
-    """How movements are combined, as far as a user chooses: None leaves it to the score that is performed, or
-    for a script to what `planned` returns. The fields are those of `BlendSettings`.
+    """A user's choices for combining movements: None leaves a choice to the score that is performed, or, for
+    a script, to the values of `planned`. The fields are those of `BlendSettings`.
     """
 
     conflict: str | None = _model(
-        "Conflicts", None, "How conflicts between muscles are resolved: inhibit, graded, attenuate or sum.",
-        metavar="POLICY", usual="graded", names="blend.conflict:POLICIES", what="conflict policy")
+        "Conflicts", None, "How conflicts between muscles are resolved: {names}.",
+        metavar="POLICY", usual=choices.CONFLICT.planned, names=choices.CONFLICT_POLICIES,
+        registry="blend.conflict:POLICIES", what="conflict policy")
     activation_threshold: float | None = _model(
         "Threshold", None, "Activity of a rival above which a muscle gives way.",
         flag=None, low=0.0, high=1.0, step=0.01, unset="by muscle")
@@ -165,18 +166,20 @@ class BlendChoices(metaclass=Named):
         flag=None, low=0.0, high=10.0, step=0.01, unset="by muscle")
     onset_function: str | None = _model(
         "Onsets", None,
-        "The function by which all movements rise and fall: exponential, linear, minimum_jerk or saccade.",
-        names="core.functions:ONSET_FUNCTIONS", what="onset function", unset="by channel")
+        "The function by which all movements rise and fall: {names}.",
+        names=choices.ONSET_FUNCTIONS, registry="core.functions:ONSET_FUNCTIONS", what="onset function",
+        unset="by channel")
     contact: bool | None = _model(
         "Lips always close", None, "Switch off the lips' contact goals, to see their effect.",
-        flag="--without-contact", usual=True)
+        flag="--without-contact", usual=choices.CONTACT.planned)
     lips: str | None = _model(
-        "Lips", None, "Model of coarticulation: effort, dominance or lookahead.",
-        metavar="MODEL", usual="effort", names="blend.mouth.coarticulation:LIP_MODELS",
+        "Lips", None, "Model of coarticulation: {names}.",
+        metavar="MODEL", usual=choices.LIPS.planned, names=choices.LIP_MODELS,
+        registry="blend.mouth.coarticulation:LIP_MODELS",
         what="lip model")
     rounding: float | None = _model(
         "Rounding, s", None, "Time (s) over which corners of curves are rounded off.",
-        flag=None, low=0.0, high=0.1, step=0.005, usual=0.02)
+        flag=None, low=0.0, high=0.1, step=0.005, usual=choices.ROUNDING.planned)
 
     def __post_init__(self) -> None:
         check(self)
@@ -207,12 +210,12 @@ class Settings(metaclass=Named):
         "Language", None, "Language of the text or of the recording: de, fr, cmn …",
         metavar="CODE", names="speech.engines.voices:languages", find=BY_VOICE, unset="the voice's")
     voice: str | None = _voice(
-        "Voice", None, "A voice ('risorius list voices'), a Piper model (.onnx) or a program of yours; "
-        "without a language, en-us unless you choose.",
+        "Voice", None, "A voice ('risorius list voices'), a Piper model (.onnx) or your own program; "
+        "en-us if no language is chosen either.",
         names="speech.engines.voices:speaking", find=BY_VOICE, unset="the language's first")
     rate: int | None = _voice(
-        "Words per minute", None, "Words per minute, 80 to 440.",
-        metavar="WPM", low=80, high=440, step=5, unset="the voice's own")
+        "Words per minute", None, "Words per minute, {low} to {high}.",
+        metavar="WPM", low=choices.RATES.low, high=choices.RATES.high, step=5, unset="the voice's own")
     voice_emotion: bool = _voice(
         "Emotional voice", True, "Whether emotions change the voice.", metavar="on|off")
     answers: str | None = _voice(
@@ -220,9 +223,11 @@ class Settings(metaclass=Named):
         "The question that the line answers: new words get accents, words of the question get none.",
         metavar="QUESTION", unset="no question")
     lead: float = _silence(
-        "Silence before, s", 0.5, "Silence before plain text.", metavar="S", low=0.0, high=60.0, step=0.1)
+        "Silence before, s", choices.LEAD, "Silence before plain text.",
+        metavar="S", low=choices.SILENCES.low, high=choices.SILENCES.high, step=0.1)
     tail: float = _silence(
-        "Silence after, s", 0.7, "Silence after plain text.", metavar="S", low=0.0, high=60.0, step=0.1)
+        "Silence after, s", choices.TAIL, "Silence after plain text.",
+        metavar="S", low=choices.SILENCES.low, high=choices.SILENCES.high, step=0.1)
     profile: str = _manner(
         "Profile", "neutral", "Who speaks: a profile, or a .toml file.", names="rules.profiles:profiles",
         find="rules.profiles:profile_of")
@@ -232,19 +237,21 @@ class Settings(metaclass=Named):
         find="rules.profiles:attitude")
     expression: str = _manner(
         "Emotions are", "felt",
-        "Whether emotions are felt or posed. Posed ones are faster, less smooth, and change nothing else.",
-        names="rules.expressions:expressions")
+        "Whether emotions are {names}. Posed ones are faster and less smooth, and do not affect "
+        "other channels.",
+        names=choices.EXPRESSIONS, registry="rules.expressions:expressions")
     blinks: str | None = _manner(
-        "Blinks", None, "How blinks are timed: natural, itti, pelachaud or none.",
-        names="rules.profiles:BLINK_MODELS", what="model of blinks", unset="the profile's own")
+        "Blinks", None, "How blinks are timed: {names}.",
+        names=choices.BLINK_MODELS, what="model of blinks", unset="the profile's own")
     lively: bool = _manner(
         "Rules, blinks, gaze", True, "Perform only words and marks: no rules, nothing random.",
         flag="--still")
     manner: str = _manner(
-        "Speaks", "plain", "Manner of speech: plain, whisper, murmur or shout.", names="rules.lips:manners",
+        "Speaks", "plain", "Manner of speech: {names}.", names=choices.MANNERS,
         what="manner of speech")
     articulation: float = _manner(
-        "Articulation", 1.0, "How far the lips move, 0 to 2.", metavar="X", low=0.0, high=2.0, step=0.05)
+        "Articulation", 1.0, "How far the lips move, {low} to {high}.",
+        metavar="X", low=0.0, high=2.0, step=0.05)
     without: NameList = _manner(
         "Leave out", (), "Leave a channel out ('risorius list channels').",
         metavar="CHANNEL", names="core.channels:CHANNELS", what="channel")
@@ -256,25 +263,23 @@ class Settings(metaclass=Named):
         "Head", "standard", "The head that performs: its name, or its folder.", names="face.head:head_titles",
         find="face.head_folder:head_file")
     age: float | None = _shape(
-        "Age", None, "How old the head is, 0 to 100.",
+        "Age", None, "How old the head is, {low} to {high}.",
         metavar="YEARS", low=0.0, high=100.0, step=1.0, unset="its own")
     shape: Mapping[str, float] = _shape(
-        "Shape", {}, "A slider of the head's shape, -1 to 1, e.g. nose_width:0.5; may be repeated. "
+        "Shape", {}, "A slider of the head's shape, {low} to {high}, e.g. nose_width:0.5; may be repeated. "
         "`list sliders` names them.",
         metavar="NAME:VALUE", low=-1.0, high=1.0, names="face.sliders:slider_names", what="slider",
         read="face.sliders:parse_slider", on_page=False)
     muscles: str = _shape(
         "Muscles", "fields",
-        "How muscles act: fields (calibrated on sculpts and scans), or lines (forces of six types along the "
-        "lines and within the zones of the head's muscles.toml).",
-        names=MUSCLE_MODES, what="manner of muscles", on_page=False)
+        "How muscles act: {names}.", names=choices.MUSCLE_MODES, what="manner of muscles", on_page=False)
     wrinkles: Mapping[str, float] = _skin(
-        "Wrinkles", {}, "Factors 0 to 2 by region: less or more wrinkled than other faces of that age.",
+        "Wrinkles", {},
+        "Factors {low} to {high} by region: less or more wrinkled than other faces of that age.",
         flag=None, low=0.0, high=2.0, on_page=False)
     dynamics: str = _skin(
         "Skin", "springs",
-        "How the skin moves: springs (with inertia), biphasic (stiffer under strain) or static.",
-        flag="--skin", names=DYNAMICS, what="skin")
+        "How the skin moves: {names}.", flag="--skin", names=choices.DYNAMICS, what="skin")
     seed: int = setting(
         Stage.PLAN, Group.TIME, "Seed", 0, "Seed of everything random.",
         metavar="N", low=0, high=2**63 - 1, step=1)
@@ -300,12 +305,12 @@ class Settings(metaclass=Named):
                 raise InputError(f"rules is {type(self.rules).__name__}; expected the name of a file")
             object.__setattr__(self, "rules", Path(self.rules))
         check(self)
-        for name, choices in (("look", Look), ("blend", BlendChoices)):
-            if not isinstance(getattr(self, name), choices):
+        for name, group in (("look", Look), ("blend", BlendChoices)):
+            if not isinstance(getattr(self, name), group):
                 kind = type(getattr(self, name)).__name__
-                raise InputError(f"{name} is {kind}; expected risorius.{choices.__name__}(…)")
+                raise InputError(f"{name} is {kind}; expected risorius.{group.__name__}(…)")
         if self.at is not None and self.every is not None:
-            raise UnreadError(["at"], "every makes a sheet of the whole clip; expected one of the two")
+            raise UnreadError(["at"], "every makes a sheet of the whole clip; expected at or every")
 
     __repr__ = _shown
 # fmt: on
@@ -341,8 +346,9 @@ def settings_of(values: Mapping[str, object], base: Settings | None = None) -> S
     """Return `base`, by default the default settings, with values by name, those of `look` and `blend` among
     them; None leaves a setting as it is.
 
-    A text for what is no text is read as on the command line: fps "24000/1001", camera "close-up:135", and
-    several with semicolons. Raises InputError for an unknown name, or a value that the setting cannot have.
+    A text for a setting of another type is read as on the command line: fps "24000/1001", camera
+    "close-up:135", and several with semicolons. Raises InputError for an unknown name, or a value that the
+    setting cannot have.
     """
     base, table = base or Settings(), rows(Settings)
     chosen: dict[str, dict[str, Any]] = {"look": {}, "blend": {}, "": {}}

@@ -41,11 +41,11 @@ _MUSCLES = frozenset(p.name for p in MUSCLES)
 
 @dataclass(repr=False)
 class Take:
-    """What `speak`, `mix` and `pose` return.
+    """The result of `speak`, `mix` and `pose`.
 
-    `utterance` is None where nothing is said; `sound` is heard in place of the voice where it is given. Faces
+    `utterance` is None if nothing is said; `sound`, if given, is heard in place of the voice. Faces
     and pictures are made when they are asked for, one frame at a time. `planned` is the plan that the
-    performance was made by, where it is still there. Takes that share a `cache` solve faces one after the
+    performance was made by, if it is still there. Takes that share a `cache` solve faces one after the
     other, with solvers that are made once.
     """
 
@@ -57,12 +57,12 @@ class Take:
     cache: HeadCache = field(default_factory=lambda: HeadCache(), repr=False, compare=False)
 
     def __repr__(self) -> str:
-        """Return one line: how long it is, and what is said."""
+        """Return one line: its duration and its text."""
         said = "" if self.utterance is None else f", {textwrap.shorten(self.utterance.text, 60)!r}"
         return f"<Take of {self.duration:.2f} s, {len(self.times)} frames{said}>"
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return what is pickled: the plan, the head and what they make are made again when asked for."""
+        """Return the state to pickle: the plan, the head and their results are made again when needed."""
         state = {part.name: getattr(self, part.name) for part in fields(self)}
         return {**state, "planned": None, "cache": HeadCache()}
 
@@ -89,7 +89,7 @@ class Take:
     def explain(self, time: float, parameter: str | None = None) -> tuple[Explanation, ...]:
         """Say why parameters have their values at a time in seconds: winner, losers and reasons.
 
-        `parameter` is a name with or without its side; all that moves at `time` where it is None. Raises
+        `parameter` is a name with or without its side; if it is None, all that moves at `time`. Raises
         ParameterError for an unknown name, InputError for a time outside the performance.
         """
         from .blend import explain
@@ -100,13 +100,13 @@ class Take:
         return tuple(e for e in explanations if parameter is not None or e.is_seen)
 
     def reasons(self, time: float) -> tuple[str, ...]:
-        """Return what `explain` says of all that moves at a time in seconds, in lines of words."""
+        """Return the explanation of all that moves at a time in seconds, in lines of words."""
         from .blend.narrate import narrate
 
         return tuple(narrate(self.explain(time), time))
 
     def traces(self, parameter: str) -> tuple[Trace, ...]:
-        """Return what each channel asks of a parameter, and what it gets, at every frame.
+        """Return each channel's request for a parameter, and the part applied, at every frame.
 
         `parameter` is a name with its side. Raises ParameterError for an unknown name.
         """
@@ -121,7 +121,7 @@ class Take:
         return summarize(self._plan, self.performance.fps)
 
     def write(self, *paths: str | PathLike[str], progress: Progress = quiet) -> None:
-        """Write files, what each holds being said by its suffix; all appear when the last is complete.
+        """Write files, each in the format of its suffix; all appear when the last is complete.
 
         Raises OutputError if a file cannot be written; then none is.
         """
@@ -145,8 +145,8 @@ class Take:
     ) -> Iterator[FaceFrame]:
         """Yield the face of every frame, or of the frames in `indices`, one at a time.
 
-        A frame is the same whichever others are asked for: with a skin of springs, those before it are gone
-        through, or with `lead_in` only those in so many seconds before the first (1 s: equal to 1e-6 mm).
+        A frame is the same whichever others are asked for: with a skin of springs, those before it are
+        computed too, or only those in the last `lead_in` seconds before the first (1 s: equal to 1e-6 mm).
         `solver` is one that the caller keeps warm, made as `make_solver` does. With `reuse` each frame is
         valid until the next is asked for, and no array is made for it.
         """
@@ -252,7 +252,7 @@ class Take:
 
     @property
     def audio(self) -> Audio | None:
-        """What is heard: `sound`, or else the voice; None if there is neither."""
+        """The audible sound: `sound`, or else the voice; None if there is neither."""
         return self.sound or (self.utterance.audio if self.utterance else None)
 
     def measures(self, frame: FaceFrame) -> list[float]:
@@ -279,16 +279,16 @@ class Take:
 
     @cached_property
     def arkit(self) -> ArkitTrack:
-        """The performance as weights of ARKit's 52 shapes, with what they leave over in mm.
+        """The performance as weights of ARKit's 52 shapes, with the distances that they leave, in mm.
 
-        Raises HeadError where the head has no such shapes.
+        Raises HeadError if the head has no such shapes.
         """
         from .face.arkit_fit import ArkitFit
 
         return ArkitFit.of(self.head).track(self.faces(reuse=True))
 
     def fit_arkit(self, progress: Progress = quiet) -> ArkitTrack:
-        """Return `arkit`; when it is fitted for the first time, tell what the weights leave over."""
+        """Return `arkit`; when it is fitted for the first time, report the remaining distances."""
         fitted = "arkit" in vars(self)
         rms, worst = self.arkit.residual
         if not fitted:
@@ -373,7 +373,7 @@ def make_solver(settings: Settings) -> FaceSolver:
 
 
 def lip_rig(score: Score, head: str) -> LipRig | None:
-    """Return what performs a score's lips on the head of that name; None if they need nothing.
+    """Return the lip rig of the head of that name for a score; None if the score needs none.
 
     It is fitted once per head, at the age and shape that the head has of itself: `--age` and `--shape` do not
     enter, though lips are performed in millimetres.
@@ -385,7 +385,7 @@ def lip_rig(score: Score, head: str) -> LipRig | None:
 
 
 def with_profile(settings: Settings) -> Settings:
-    """Return settings with the age and the wrinkles of their profile where they choose none."""
+    """Return settings with the age and the wrinkles of their profile if they choose none."""
     profile = profile_of(settings.profile)
     age = profile.age if settings.age is None else settings.age
     return replace(settings, age=age, wrinkles={**profile.wrinkles, **settings.wrinkles})

@@ -20,7 +20,7 @@ def written(folder: Path) -> Path:
 
 
 def test_a_second_run_is_refused_in_the_same_folder(tmp_path: Path) -> None:
-    with Journal(tmp_path), pytest.raises(OutputError, match="another batch runs here"):
+    with Journal(tmp_path), pytest.raises(OutputError, match="another batch is running in this folder"):
         Journal(tmp_path)
     Journal(tmp_path).close()
 
@@ -28,7 +28,7 @@ def test_a_second_run_is_refused_in_the_same_folder(tmp_path: Path) -> None:
 def test_shards_run_beside_each_other_but_not_beside_a_run_of_all(tmp_path: Path) -> None:
     with Journal(tmp_path, "1-of-2"), Journal(tmp_path, "2-of-2"):
         for shard in ("", "2-of-2"):
-            with pytest.raises(OutputError, match="another batch runs here"):
+            with pytest.raises(OutputError, match="another batch is running in this folder"):
                 Journal(tmp_path, shard)
 
 

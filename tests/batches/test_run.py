@@ -56,8 +56,8 @@ def files(folder: Path) -> dict[str, bytes]:
         ("out/{id}.xyz", {}, "unknown suffix"),
         ("out/x.wav", {}, "names no column"),
         ("s3://x/{id}.wav", {}, "a journal needs a folder"),
-        ("{id}.wav", {"shard": "3/2"}, "shard '3/2' is not one"),
-        ("{id}.wav", {"shard": "x"}, "shard 'x' is not one"),
+        ("{id}.wav", {"shard": "3/2"}, "'3/2' is not a shard"),
+        ("{id}.wav", {"shard": "x"}, "'x' is not a shard"),
     ],
 )
 def test_what_concerns_all_lines_is_raised_at_once(outputs: Any, options: Any, message: str) -> None:
@@ -79,7 +79,7 @@ def test_bad_rows_are_results_and_the_rest_goes_on() -> None:
     assert Counter(result.state for result in results) == {"made": 3, "failed": 7}
     lines = [json.loads(line) for line in Path("out/errors.jsonl").read_text().splitlines()]
     assert [line["error"] for line in lines] == [result.error for result in results if result.error]
-    assert lines[0]["error"] == "row:4: the id 'a/hello' is that of row:1 as well; expected another"
+    assert lines[0]["error"] == "row:4: the id 'a/hello' is also used by row:1; expected a different one"
     assert sorted(line["line"] for line in lines) == [4, 5, 6, 7, 8, 9, 10]
 
 

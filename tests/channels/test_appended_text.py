@@ -8,11 +8,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.channels import HORIZON, ChannelInputs, Display, compose
+from risorius.core.choices import BLINK_MODELS
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.progress import quiet
 from risorius.core.utterance import Utterance
 from risorius.pipeline import speak
-from risorius.rules.profiles import BLINK_MODELS, Profile, profile_of, profiles
+from risorius.rules.profiles import Profile, profile_of, profiles
 from risorius.script import read_script
 from risorius.settings import Settings
 

@@ -8,9 +8,10 @@ import pytest
 
 from risorius.blend import combine
 from risorius.channels import ChannelInputs, Display, built_channels, compose
+from risorius.core.choices import BLINK_MODELS
 from risorius.core.score import Score
 from risorius.core.utterance import Accent, PauseKind
-from risorius.rules.profiles import BLINK_MODELS, attitude, profile, profile_of, profiles
+from risorius.rules.profiles import attitude, profile, profile_of, profiles
 from risorius.rules.rule_set import shipped
 
 from .at_work import FROWN, INNER, LONG, PUNCTUATED, SAID, THOUGHT_OUT, Maker, by_rule, movements

@@ -22,7 +22,7 @@ f,Bye.,,fear:0.5;joy:0.2
 ERRORS = [
     "risorius: lines.csv:3: has no id; expected one",
     "risorius: lines.csv:4: id '../b' leaves the folder of the outputs; expected a name below it",
-    "risorius: lines.csv:5: the id 'a' is that of lines.csv:2 as well; expected another",
+    "risorius: lines.csv:5: the id 'a' is also used by lines.csv:2; expected a different one",
     "risorius: lines.csv:6: seed 'x' is not a whole number; expected 0 or more",
     "risorius: lines.csv:7: unknown emotion 'joyy'; did you mean 'joy'?",
     "risorius: lines.csv:8: has 1 cells; expected 4, one per column",
@@ -43,7 +43,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         (["gone.csv", "-o", "{id}.wav"], "gone.csv: there is no such manifest"),
         (["lines.csv"], "no output named"),
         (["lines.csv", "-o", "x.wav"], "x.wav: names no column"),
-        (["lines.csv", "-o", "{id}.wav", "--shard", "0/2"], "shard '0/2' is not one"),
+        (["lines.csv", "-o", "{id}.wav", "--shard", "0/2"], "'0/2' is not a shard"),
         (["lines.csv", "-o", "{id}.wav", "--emotion", "joyy:1"], "unknown emotion 'joyy'"),
         (["lines.csv", "-o", "{id}.wav", "--timeout", "0"], "--timeout"),
     ],

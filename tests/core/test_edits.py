@@ -63,7 +63,7 @@ IMPOSSIBLE = [
     (Keys("masseter", ((1.0, 0.1), (1.0, 0.2))), "times must increase"),
     (Keys("masseter", ((1.0, 1.1),)), "out of range"),
     (Keys("masseter", ((1.0, 0.1), (11.0, 0.2))), "outside the clip"),
-    (ClearKeys("mentalis.right"), "nothing is drawn by hand for 'mentalis.right'"),
+    (ClearKeys("mentalis.right"), "no curve is drawn by hand for 'mentalis.right'"),
 ]
 
 

@@ -53,7 +53,7 @@ def promising(shape: tuple[int, ...]) -> Callable[[Path], None]:
         (spoilt(b"PK\1\2", 10, 99), "compression method"),
         (spoilt(b"PK\1\2", 8, 1), "encrypted"),
         (spoilt(b"PK\1\2", 6, 99), "version"),
-        (promising((10**15,)), "has not as many numbers as its header says"),
+        (promising((10**15,)), "does not hold as many numbers as its header says"),
         (promising((-1,)), "numbers"),
         (lambda path: np.savez(path, one=np.array([{}], object)), "objects"),
     ],

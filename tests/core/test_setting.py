@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from risorius.core.setting import Choice, Group, Names, Stage, ValueKind, check, rows, setting
+from risorius.core.names import Choice, Names, spelled
+from risorius.core.setting import Group, Stage, ValueKind, check, rows, setting
 from risorius.errors import InputError
 
 _some = partial(setting, Stage.PLAN, Group.MODELS)
@@ -102,6 +103,17 @@ def test_values_that_are_several_are_written_with_commas():
     assert table["amounts"].text({"x": 0.5}) == "x:0.5"
     assert table["side"].text((3, 4)) == "3x4"
     assert table["glow"].text(None) == "its own"
+
+
+def test_names_are_spelled_as_a_sentence_lists_them():
+    assert spelled(("a",)) == "a"
+    assert spelled(("a", "b", "c")) == "a, b or c"
+    assert spelled({"a": "the first", "b": ""}) == "a (the first) or b"
+
+
+def test_help_has_the_names_and_the_range():
+    field = _some("Size", 1.0, "{names}; {low} to {high}.", low=0.5, high=2.0, names=("a", "b"))
+    assert field.metadata["setting"].help == "a or b; 0.5 to 2."
 
 
 def test_names_are_known_or_found_when_they_are_asked_for():

@@ -226,7 +226,7 @@ def test_paced_and_async_forms_yield_the_same_frames(monkeypatch: pytest.MonkeyP
 
 def test_pauses_that_nothing_reads_are_refused() -> None:
     for chosen in (Settings(lead=1.0), Settings(tail=2.0)):
-        with pytest.raises(UnreadError, match="pauses of its own"):
+        with pytest.raises(UnreadError, match="sets its own pauses"):
             live(30, chosen)
 
 

@@ -19,7 +19,7 @@ NOWHERE = Path("/proc")
 
 def test_a_missing_folder_is_named(tmp_path: Path) -> None:
     with pytest.raises(
-        OutputError, match=r"x\.mp4: the folder '.*none' does not exist; expected one that does$"
+        OutputError, match=r"x\.mp4: the folder '.*none' does not exist; expected an existing folder$"
     ):
         check_target(tmp_path / "none" / "x.mp4")
 

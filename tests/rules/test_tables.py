@@ -31,8 +31,8 @@ def entry(name: str, values: str, source: str = "me") -> str:
         (entry("lips.phone.AA", "targets = { jaw = 5.0 }"), "mine.toml:3:.*unknown articulator"),
         (entry("lips.phone.ZZ", 'class = "vowel"'), "mine.toml:3:.*targets"),
         (entry("lips.phon.AA", ""), "mine.toml:1:.*unknown table of lips 'phon'; did you mean 'phone'"),
-        (entry("lips.phone", ""), "'lips.phone' names no entry"),
-        (entry("faces.AA", ""), "'faces.AA' is the id of no entry; expected e.g. lips.phone.AA"),
+        (entry("lips.phone", ""), "there is no entry 'lips.phone'"),
+        (entry("faces.AA", ""), "there is no entry with the id 'faces.AA'; expected e.g. lips.phone.AA"),
         (entry("emotions.happiness", "targets = { AU99 = 1.0 }"), "mine.toml:3:.*unknown action unit 'AU99'"),
         (entry("emotions.happiness", "onsett = 1.0"), "mine.toml:3:.*onsett"),
         (

@@ -13,8 +13,8 @@ CONTROL = re.compile(r"[\0-\x08\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff]")
 BAD = [
     ("empty", "", "text:1: the text is empty; expected words to speak"),
     ("blank", " \n\t ", "text:1: the text is empty; expected words to speak"),
-    ("marks", "?! …", "text:1: nothing can be spoken in '?! …'; expected some letter or digit"),
-    ("no line end", "—\n—", "text:1: nothing can be spoken in '— —'; expected some letter or digit"),
+    ("marks", "?! …", "text:1: nothing can be spoken in '?! …'; expected a letter or digit"),
+    ("no line end", "—\n—", "text:1: nothing can be spoken in '— —'; expected a letter or digit"),
     ("too long", "a" * 100_001, "text:1: the text has 100,001 characters; expected at most 100,000"),
     ("NUL", "one\ntwo\0", "text:2:4: U+0000 is not a character of a text; expected plain words"),
     ("escape", "\x1b[1m", "text:1:1: U+001B is not a character of a text; expected plain words"),

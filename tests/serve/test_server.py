@@ -105,7 +105,7 @@ def test_who_asks_for_what_cannot_be_had_is_told_and_dismissed(
         ('{"do": "listen", "audio": "%%", "rate": 16000}', "not base64"),
         ('{"do": "listen", "audio": "AAAA", "rate": 16000}', "3 bytes"),
         ('{"do": "listen", "audio": "AAA=", "rate": 1}', "sample rate 1"),
-        ('{"do": "start", "version": 1}', "the face is there already"),
+        ('{"do": "start", "version": 1}', "the face has started already"),
         (b"\x00\xff", "is not text"),
     ],
 )
@@ -378,6 +378,6 @@ def test_a_voice_that_cannot_be_used_is_one_error(client: Client, about: dict[st
     client.send("say", **about)
     assert fault in client.until("error")["message"]
     client.send("look", pitch=3)
-    assert "half a direction" in client.until("error")["message"]
+    assert "give either a target, or both pitch and yaw" in client.until("error")["message"]
     client.send("look", target="lft")
     assert "'left'" in client.until("error")["message"]

@@ -67,7 +67,7 @@ def greeting(port: int, *said: bytes) -> Iterator[None]:
 
 def test_nobody_greets() -> None:
     at = Address(PHONE, free_port(PHONE))
-    with pytest.raises(OutputError, match=rf"no receiver has sent its greeting to {at} within 0.1 s"):
+    with pytest.raises(OutputError, match=rf"no receiver sent its greeting to {at} within 0.1 s"):
         wait_for_greeting(at, GREETINGS, 0.1)
 
 

@@ -46,7 +46,7 @@ WRONG = [
         {"script": "Hello", "emotions": (shared.EmotionSpan("/tmp/x.toml", 1.0),)},
         "unknown emotion '/tmp/x.toml'",
     ),
-    ({"script": "Hello", "emotions": (shared.EmotionSpan("joy", 1.0, first=90),)}, "there is no word in"),
+    ({"script": "Hello", "emotions": (shared.EmotionSpan("joy", 1.0, first=90),)}, "no word stands at"),
 ]
 
 

@@ -1,4 +1,4 @@
-"""Where a head's teeth and tongue stand, beside their place on the template."""
+"""The places of a head's teeth and tongue, relative to those on the template."""
 
 from __future__ import annotations
 

@@ -55,7 +55,7 @@ class Shape:
 
     @cached_property
     def seal(self) -> LipSeal:
-        """What brings its lips together."""
+        """The movement that brings its lips together."""
         return LipSeal.of(self.bust)
 
     @cached_property
@@ -70,7 +70,7 @@ class Shape:
 
     @cached_property
     def bite(self) -> Bite:
-        """Where its teeth stand."""
+        """The place of its teeth."""
         there = (self.template.seal, self.template.rest) if self.template else None
         return find_bite(self.bust, self.seal, self.rest, there)
 

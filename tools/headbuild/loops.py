@@ -24,7 +24,7 @@ class Loops:
                 self._neighbours[b].add(a)
 
     def walk(self, a: int, b: int) -> list[int]:
-        """The closed loop that starts along the edge a → b; raise ValueError where it does not close."""
+        """The closed loop that starts along the edge a → b; raise ValueError if it does not close."""
         loop = [a, b]
         while True:
             following = self._next(loop[-2], loop[-1])

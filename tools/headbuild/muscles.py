@@ -90,7 +90,7 @@ PARTS: dict[str, Split] = {
 
 
 def read_recipes(path: Path) -> dict[str, dict[str, Any]]:
-    """Recipes by muscle; raise ValueError where a muscle is missing, or a part is unknown."""
+    """Recipes by muscle; raise ValueError if a muscle is missing, or a part is unknown."""
     recipes = tomllib.loads(path.read_text(encoding="utf-8"))
     recipes.pop("masseter", None)
     wanted = {m.base for m in MUSCLES if m.base != "masseter"} | {"lip_tuck"}
@@ -190,7 +190,7 @@ def _with_room(bust: Bust, rest: AnyArray, field: AnyArray, recipe: dict[str, An
 def _lips_change(
     bust: Bust, rest: AnyArray, seal: LipSeal, both: AnyArray, recipe: dict[str, Any]
 ) -> AnyArray:
-    """What must be added to the field `both` (N0, 3) of the two sides for the lips to be as the recipe
+    """Return the change (N0, 3) of `both`, the field of the two sides, that makes the lips as the recipe
     says.
     """
     if recipe["lips"] == "free":

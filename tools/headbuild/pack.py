@@ -22,7 +22,7 @@ def quantized(field: AnyArray, smallest: float = 0.004, step: float | None = Non
 
 
 NOISE = 1e-9
-"""What is smaller in coordinates (mm), weights and masks is rounding, which differs between processors."""
+"""Smaller coordinates (mm), weights and masks are rounding, which differs between processors."""
 
 
 def short(values: AnyArray) -> AnyArray:

@@ -27,7 +27,7 @@ _JAW = (0.25, 0.75)  # share of the jaw between which the skin of the upper lip 
 
 
 def read_terms(path: Path, muscles: Collection[str]) -> dict[str, list[dict[str, Any]]]:
-    """Terms by muscle, none where there is no file; raise ValueError where one does not fit."""
+    """Terms by muscle, none without a file; raise ValueError for a term that does not fit."""
     if not path.is_file():
         return {}
     terms: dict[str, list[dict[str, Any]]] = tomllib.loads(path.read_text(encoding="utf-8"))
@@ -46,7 +46,7 @@ def read_terms(path: Path, muscles: Collection[str]) -> dict[str, list[dict[str,
 
 @dataclass(frozen=True)
 class Terms:
-    """What terms are laid out on: a bust, and the jaw's share (N0,) of its skin."""
+    """The surface that terms are laid out on: a bust, and the jaw's share (N0,) of its skin."""
 
     bust: Bust
     jaw_weight: AnyArray

@@ -17,7 +17,7 @@ INPUT = ("id", "text", "script", "audio", "transcript", "emotion")
 @dataclass(frozen=True, slots=True)
 class SettingColumn:
     """A column of a setting. `negated`: it is named as an option without a value, which says the opposite of
-    what is usual: on in `still` is off in `lively`.
+    the default: on in `still` is off in `lively`.
     """
 
     row: Row

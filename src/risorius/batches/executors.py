@@ -1,4 +1,4 @@
-"""Who performs the jobs: this process, processes on this machine, or a cluster (`ray_cluster`)."""
+"""Executors of jobs: this process, processes on this machine, or a cluster (`ray_cluster`)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a line is made from, as a digest: it changes with input, settings, files and version."""
+"""A digest of all that a line is made from; it changes with input, settings, files and version."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def _record(name: str, known: FileRecord | None) -> FileRecord:
 
 @cache
 def installation() -> str:
-    """Return the digest of our version and files, and of the versions of what bytes depend on."""
+    """Return the digest of our version and files, and of the versions of packages that change the bytes."""
     digest = hashlib.sha256(json.dumps([f"{name} {_version(name)}" for name in _USED]).encode())
     root = Path(__file__).parents[1]
     for path in sorted(root.rglob("*")):

@@ -1,4 +1,4 @@
-"""From a row of a manifest to a job: what is performed, by which settings, into which files; all checked."""
+"""Make a job of a row of a manifest: its input, its settings and its output files, all checked."""
 
 from __future__ import annotations
 
@@ -52,8 +52,8 @@ class BatchJob:
 
 @dataclass(frozen=True)
 class JobMaker:
-    """What all rows have in common: the `patterns` of outputs, the `folder` from which their files count,
-    settings and emotions where a row has none, and columns to `ignore`.
+    """The options that all rows share: the `patterns` of outputs, the `folder` that relative file names start
+    from, settings and emotions for rows that give none, and columns to `ignore`.
     """
 
     patterns: Sequence[OutputPattern]
@@ -64,7 +64,7 @@ class JobMaker:
     sheets: Path | None = None
 
     def job(self, row: ManifestRow) -> BatchJob:
-        """Return the job of a row; raises RisoriusError, with its place, for what cannot be performed."""
+        """Return the job of a row; raises RisoriusError, with its place, if it cannot be performed."""
         with at_row(row.place):
             return self._job(row)
 
@@ -131,7 +131,7 @@ class JobMaker:
 
 @contextmanager
 def at_row(place: Place) -> Iterator[None]:
-    """Give errors of the block the place of a row, before the place that they have."""
+    """Prefix errors of the block with their row of the manifest."""
     try:
         yield
     except RisoriusError as error:
@@ -141,7 +141,7 @@ def at_row(place: Place) -> Iterator[None]:
 
 
 def check_job(job: BatchJob) -> None:
-    """Raise RisoriusError for what can be known to go wrong before a line is performed."""
+    """Raise RisoriusError for any fault that can be found before a line is performed."""
     with at_row(job.place):
         _check_job(job)
 

@@ -27,7 +27,7 @@ _SUFFIX, _LOCK = ".jsonl", ".risorius-batch.lock"
 
 @dataclass(frozen=True, slots=True)
 class JournalEntry:
-    """A whole line: its id, its fingerprint, the records of its files, and what came of it."""
+    """A whole line: its id, its fingerprint, the records of its files, and its outcome."""
 
     id: str
     digest: str
@@ -40,7 +40,7 @@ class JournalEntry:
 
     @classmethod
     def read(cls, text: str) -> JournalEntry | None:
-        """Return the entry in a line of JSON; None for what is none, as when it is torn."""
+        """Return the entry in a line of JSON; None if it cannot be read, for example a torn line."""
         try:
             return parse_json(text, NAME).read(cls)
         except InputError:
@@ -73,7 +73,7 @@ class Journal(Scratch):
             raise
 
     def entry(self, name: str) -> JournalEntry | None:
-        """Return the latest entry of an id, None if there is none."""
+        """Return the latest entry of an id, None if it has no entry."""
         row = self._database.execute("SELECT entry FROM entries WHERE id = ?", (name,)).fetchone()
         return None if row is None else JournalEntry.read(row[0])
 
@@ -119,7 +119,7 @@ def _locked(path: Path, *, shared: bool = False) -> IO[bytes]:
     except BlockingIOError:
         file.close()
         raise OutputError(
-            "another batch runs here; expected its end, or another folder", Place(str(path))
+            "another batch is running in this folder; wait for it or choose another folder", Place(str(path))
         ) from None
     return file
 

@@ -1,4 +1,4 @@
-"""What programs call: `batch` over rows or a manifest, `pipe` over texts."""
+"""The functions that programs call: `batch` over rows or a manifest, `pipe` over texts."""
 
 from __future__ import annotations
 
@@ -31,12 +31,12 @@ if TYPE_CHECKING:
 BatchRows = str | PathLike[str] | Iterable[Mapping[str, object]]
 C = TypeVar("C")
 SECONDS = 600.0
-"""How long a line may take."""
+"""The time limit of a line."""
 
 
 @dataclass(frozen=True)
 class BatchPlan:
-    """All that is decided before the first line: rows, outputs, settings for all, and who performs.
+    """All that is decided before the first line: rows, outputs, settings for all, and the executor.
 
     `processes` 0: this process alone. `ray`: the address of a cluster, None for none. `journal`: the folder
     of journal and report, None for the fixed folder of the first output. `sheets`: pictures for the report.
@@ -67,7 +67,7 @@ class BatchPlan:
         return _rows_of(self.rows)
 
     def maker(self) -> JobMaker:
-        """Return what makes jobs of the rows."""
+        """Return the maker of jobs from rows."""
         if not self.outputs:
             raise OutputError("no output named; expected e.g. -o 'out/{id}.arkit.csv'")
         patterns = [OutputPattern(os.fspath(output)) for output in self.outputs]
@@ -89,7 +89,7 @@ class BatchPlan:
         return Path(fixed)
 
     def executor(self, run: str) -> BatchExecutor:
-        """Return who performs the lines."""
+        """Return the executor of the lines."""
         if self.ray is not None:
             from .ray_cluster import RayCluster
 
@@ -126,7 +126,7 @@ def batch(
     """Perform many lines into files, and yield the result of each as it comes, in any order.
 
     `rows`: mappings with an `id` and a `text`, a `script` or an `audio` with its `transcript`, and settings
-    by name; or the name of a manifest. `outputs`: patterns such as "out/{id}.arkit.csv". What is whole from
+    by name; or the name of a manifest. `outputs`: patterns such as "out/{id}.arkit.csv". Lines complete from
     an earlier run is not made again. `jobs`: processes, by default one a core, 0 for this one alone;
     `timeout`: seconds that a line may take; `ray`: the address of a Ray cluster; `shard`: "3/8" for the third
     of eight runs; `journal`: the folder of journal and report; `ignore`: columns that nothing reads;

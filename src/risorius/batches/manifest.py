@@ -22,7 +22,7 @@ from ..script.read import RECORDING_SUFFIXES
 
 LONGEST_LINE = 1_000_000  # bytes
 LABEL_SUFFIXES = (".textgrid", ".lab", ".txt")
-"""What says the words of a recording beside it; the first there is counts."""
+"""Suffixes of the file beside a recording that gives its words; the first that exists is used."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""What comes of a line: its files and what is to be known of them, or why there are none."""
+"""The outcome of a line: its files and their properties, or the reason why it failed."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..errors import Place
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What a worker says of a line.
+    """A worker's report on a line.
 
     `error`: one line, empty if all went well; `stops`: it concerns all lines that follow (a full disk).
     `duration`: seconds of the performance; `cpu`: seconds of processor time; `memory`: bytes that the
@@ -38,13 +38,13 @@ class Outcome:
 
     @classmethod
     def read(cls, data: Mapping[str, Any]) -> Outcome:
-        """Return an outcome that was written as JSON; raises TypeError if it is none."""
+        """Return an outcome that was written as JSON; raises TypeError if the text is not an outcome."""
         lists = {name: tuple(data.get(name, ())) for name in ("doubtful", "warnings")}
         return cls(**{**data, **lists})
 
 
 class LineState(StrEnum):
-    """Whether a line was made in this run, was whole from an earlier one, or failed."""
+    """Whether a line was made in this run, is complete from an earlier one, or failed."""
 
     MADE = "made"
     WHOLE = "whole"
@@ -62,6 +62,6 @@ class LineResult:
 
     @property
     def error(self) -> str:
-        """Where and why it failed, in one line; empty if it did not."""
+        """The place and reason of the failure, in one line; empty if it did not fail."""
         error, place = self.outcome.error, f"{self.place}: "
         return error if not error or error.startswith(place) else place + error

@@ -44,7 +44,7 @@ class OutputPattern:
 
     @property
     def fixed_folder(self) -> str:
-        """The longest folder that all outputs have in common: what stands before the first column."""
+        """The longest folder that all outputs have in common: the part before the first column."""
         before = self.text[: self.text.index("{")]
         return before[: before.rindex("/") + 1].rstrip("/") or "/" if "/" in before else "."
 
@@ -54,7 +54,7 @@ class OutputPattern:
         def fill(match: re.Match[str]) -> str:
             column = match[1].strip()
             if not cells.get(column, "").strip():
-                raise InputError(f"has no {column}; expected one, which '{self.text}' needs for its name")
+                raise InputError(f"has no {column}, which the output name '{self.text}' needs")
             return checked_part(column, cells[column].strip())
 
         return _COLUMN.sub(fill, self.text)

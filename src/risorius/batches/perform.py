@@ -1,4 +1,4 @@
-"""One line, as `risorius speak` does it: the same calls, the same bytes. This is what workers run."""
+"""Perform one line as `risorius speak` does, with the same calls and bytes; workers run this."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ LONGEST_SHOWN = 240  # characters of a line's text
 
 
 def perform_line(job: BatchJob, run: str = "") -> Outcome:
-    """Perform a line and write its files; what goes wrong is in the outcome. `run` names temporary files."""
+    """Perform a line and write its files; an error goes into the outcome. `run` names temporary files."""
     from ..ports.atomic import temporaries_of
     from ..speech.alignment.doubt import doubt_to
 

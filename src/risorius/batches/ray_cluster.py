@@ -29,7 +29,7 @@ class RayCluster:
     """Performs jobs on the Ray cluster at `address`, `lines` in a task: "auto" for the one of this machine,
     "local" for one that is started here with `processes` and ends with the run.
 
-    Raises InputError if Ray is not installed or there is no such cluster.
+    Raises InputError if Ray is not installed or the cluster does not exist.
     """
 
     def __init__(

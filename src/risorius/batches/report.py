@@ -1,4 +1,4 @@
-"""The report of a run: what came of each line, as a table, and as a page with the worst first."""
+"""The report of a run: the outcome of each line, as a table, and as a page with the worst first."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ COLUMNS = (
 )  # fmt: skip
 SHOWN = 1_000  # lines in each list of the page
 SLOW, USUAL, FAST = 0.7, 2.5, 5.5
-"""Words per second: outside, a recording or its transcript is probably not what it should be."""
+"""Words per second: outside, the recording or its transcript is probably wrong."""
 
 
 class Report(Scratch):
-    """Gathers results, on disk where they are many, and writes `report.csv` and `report.html` in a folder."""
+    """Gathers results, on disk if they are many, and writes `report.csv` and `report.html` in a folder."""
 
     def __init__(self, folder: Path, shard: str = "") -> None:
         name = f"report{shard and '-'}{shard}"

@@ -31,7 +31,7 @@ a { color: inherit }
 
 @dataclass(frozen=True, slots=True)
 class Totals:
-    """How many lines were made, were whole already and failed; the seconds of all performances."""
+    """Counts of lines made, already complete and failed; the seconds of all performances."""
 
     made: int
     whole: int
@@ -42,7 +42,7 @@ class Totals:
 @dataclass(frozen=True, slots=True)
 class PageLine:
     """A line on the page: its result, words per second, the links to its outputs by their names, and those to
-    its sound and its pictures, empty if there are none.
+    its sound and its pictures, empty if it has none.
     """
 
     result: LineResult

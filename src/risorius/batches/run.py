@@ -1,4 +1,4 @@
-"""A run of a batch: rows become jobs, what is whole is left alone, the rest is performed and journalled."""
+"""A run of a batch: rows become jobs; complete lines are left alone, the others performed and journalled."""
 
 from __future__ import annotations
 
@@ -33,10 +33,10 @@ class Shard:
 
     @classmethod
     def parse(cls, text: str) -> Shard:
-        """Return the shard of a text such as "3/8"; raise InputError if it is none."""
+        """Return the shard of a text such as "3/8"; raise InputError for any other text."""
         match = re.fullmatch(r"(\d{1,6})/(\d{1,6})", text.strip())
         if match is None or not 1 <= int(match[1]) <= int(match[2]):
-            raise InputError(f"shard '{text[:40]}' is not one; expected e.g. 3/8: the third of eight")
+            raise InputError(f"'{text[:40]}' is not a shard; expected e.g. 3/8: the third of eight")
         return cls(int(match[1]), int(match[2]))
 
     @property
@@ -55,7 +55,7 @@ WHOLE = Shard()
 
 @dataclass
 class BatchRun:
-    """A run over the rows of a manifest. `lines()` yields what comes of each, in any order."""
+    """A run over the rows of a manifest. `lines()` yields the outcome of each, in any order."""
 
     rows: Iterable[ManifestRow | RisoriusError]
     maker: JobMaker
@@ -71,7 +71,7 @@ class BatchRun:
         return self.journal.folder / f"{ERRORS}{self.shard.name and '-'}{self.shard.name}.jsonl"
 
     def lines(self) -> Iterator[LineResult]:
-        """Perform what is not whole; yield the result of every row. Raises DiskFullError."""
+        """Perform incomplete lines; yield the result of every row. Raises DiskFullError."""
         try:
             with self.errors_path.open("w", encoding="utf-8") as errors:
                 for result in self._lines():
@@ -124,7 +124,7 @@ class BatchRun:
         return job
 
     def _clear(self, output: str) -> None:
-        """Remove what a run that was killed left beside an output, once a folder."""
+        """Remove the files that a killed run left beside an output, once for each folder."""
         folder = Path(output).parent
         if not is_remote(output) and folder not in self._folders:
             self._folders.add(folder)
@@ -192,7 +192,7 @@ def _write_error(errors: IO[str], result: LineResult) -> None:
 
 
 class _Names(Scratch):
-    """The ids and outputs so far, on disk where they are many."""
+    """The ids and outputs so far, on disk if they are many."""
 
     def __init__(self) -> None:
         super().__init__("names (name TEXT PRIMARY KEY, place TEXT) WITHOUT ROWID")
@@ -203,5 +203,5 @@ class _Names(Scratch):
             row = (f"{what} {name}", str(job.place))
             before = self._database.execute("SELECT place FROM names WHERE name = ?", row[:1]).fetchone()
             if before is not None:
-                raise InputError(f"the {what} '{name}' is that of {before[0]} as well; expected another")
+                raise InputError(f"the {what} '{name}' is also used by {before[0]}; expected a different one")
             self._database.execute("INSERT INTO names VALUES (?, ?)", row)

@@ -1,4 +1,4 @@
-"""When the curves of two plans can differ: what was changed, and how far that has an effect."""
+"""Find the times at which the curves of two plans can differ: the changes, and their reach."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ TimeSpan = tuple[float, float]
 def performance_after(
     plan: Plan, fps: Fraction, before: Plan | None = None, earlier: Performance | None = None
 ) -> Performance:
-    """Return the performance of a plan; beside an `earlier` one, of the plan `before`, only what differs is
-    computed anew.
+    """Return the plan's performance; reuse the parts of `earlier` (made from the plan `before`) that did not
+    change.
     """
     if before is not None and earlier is not None and earlier.fps == fps:
         span = changed_span(before, plan)

@@ -40,7 +40,7 @@ class Channel:
 
     @property
     def key(self) -> str:
-        """What tells it from all other channels of a plan."""
+        """The channel's name with its marker and layer: unique within a plan."""
         names = (self.name, self.on_top and "on top", self.stratum is not None and f"layer {self.stratum}")
         return ", ".join(name for name in names if name)
 

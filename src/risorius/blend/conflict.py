@@ -22,12 +22,12 @@ from .strata import ONE_PRIORITY
 from .tuning import Tuning
 
 Resolver = Callable[[Channel, str, Array, Array], Array]
-"""(channel, parameter, times (n,), requested values (n,)) -> what the policy leaves of them (n,)."""
+"""(channel, parameter, times (n,), requested values (n,)) -> the values after the policy (n,)."""
 
 
 class Join(StrEnum):
-    """How the values of all channels become one: the largest, or all added and clipped; by SUM also of those
-    movements that else add to what the others leave (`on_top`).
+    """The way to join the values of all channels: the largest, or all added and clipped. SUM also adds
+    movements that are `on_top`, which otherwise add to the rest that the others leave.
     """
 
     MAX = "max"
@@ -36,7 +36,7 @@ class Join(StrEnum):
 
 
 class SuppressionEffect(StrEnum):
-    """What a rival does to an activity; the rival completes the sentence."""
+    """The effect of a rival on an activity; the rival's name completes the sentence."""
 
     INHIBITED = "inhibited by"
     OFFSET = "limited by its minimum offset before"
@@ -63,7 +63,7 @@ class Policy(Protocol):
         """Return the function that resolves conflicts at some of the sorted times, shape (n,)."""
 
     def suppressor(self, channel: Channel, parameter: str, time: float) -> Suppressor | None:
-        """Return the rival that suppresses an activity at a time, or None if there is none."""
+        """Return the rival that suppresses an activity at a time, or None."""
 
 
 @dataclass(frozen=True, slots=True)

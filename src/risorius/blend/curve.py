@@ -19,7 +19,7 @@ class Curve(Protocol):
         """Return at which of the sorted times the curve is not at rest, and its values at them."""
 
     def lines(self, times: Array) -> tuple[IndexArray, Array]:
-        """Return what `sample` returns, by straight lines between knots if that is much faster."""
+        """Return the values of `sample`, by straight lines between knots if that is much faster."""
 
     def above(self, threshold: float) -> Spans:
         """Return when the curve is higher than `threshold`, shape (n, 2)."""

@@ -27,7 +27,7 @@ from .roots import find_roots
 
 @dataclass(slots=True)
 class CurvePiece:
-    """How one movement moves one parameter. Seconds; `function` and `fade_function` are names.
+    """The piece of a curve by which one movement moves one parameter; seconds and names of functions.
 
     Onset: min(begin + rise·f, cap) during `onset`; apex: `level` until `apex_end`; offset: `level`·f
     backwards until `end`. The residue falls from `excess` with the time constant `fade`. `speed`, 1/s, is
@@ -88,7 +88,8 @@ def value_at(s: CurvePiece, time: float) -> float:
 MOMENT = 1e-5
 """Seconds over which the speed of a piece is measured."""
 FARTHEST = 27.0 / 256.0
-"""How far a speed that dies away moves a curve: so much of speed times `slowing`, at a quarter of it."""
+"""The farthest that a decaying speed moves a curve, as a share of speed · `slowing`; reached at a quarter of
+`slowing`."""
 
 
 def speed_at(s: CurvePiece, time: float, value: float) -> float:
@@ -139,7 +140,7 @@ def _columns(table: Array) -> list[Array]:
     count, first = len(table), table[0].copy()
     first.setflags(write=False)
     same = (table == first).all(axis=0).tolist()
-    # What `broadcast_to` returns, in a tenth of its time.
+    # The same arrays as from `broadcast_to`, in a tenth of its time.
     return [
         np.ndarray(count, np.float64, first, 8 * number, (0,)) if constant else table[:, number].copy()
         for number, constant in enumerate(same)

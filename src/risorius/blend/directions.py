@@ -10,7 +10,7 @@ from ..core.arrays import Array
 from ..core.parameters import INDEX, PARAMETERS, Kind
 
 RANGE: dict[Kind, float] = {Kind.HEAD: 20.0, Kind.GAZE: 25.0, Kind.DISTANCE: 0.8}
-"""How far a parameter of each kind moves before it makes others much smaller: degrees, metres."""
+"""The range of each kind, in degrees or metres, over which one movement makes others much smaller."""
 
 
 def combine_directions(name: str, shares: Sequence[Array]) -> Array:
@@ -24,7 +24,7 @@ def combine_directions(name: str, shares: Sequence[Array]) -> Array:
 
 
 def shares_of(name: str, terms: Sequence[Array]) -> list[Array]:
-    """Return what the other terms leave of each deviation from a direction's neutral, shape (n,) each.
+    """Return each deviation from a direction's neutral, reduced by the other terms, shape (n,) each.
 
     x_c / (1 + ½ Σ_{d≠c} |x_d| / R): a single term is exact; a slow turn and a nod show together, both smaller
     (DESIGN, section 3).

@@ -60,7 +60,7 @@ def explain(source: Score | Plan, time: float, parameter: str) -> Explanation:
 
 
 def _contributions(sample: PlanSample, name: str) -> list[Contribution]:
-    """Return all that moves a parameter, what applies most first."""
+    """Return the contributions to a parameter, the largest applied one first."""
     moving = _turning(sample, name) if name in SIGNED else _moving(sample, name)
     return sorted([*_goals(sample, name), *moving], key=lambda c: -abs(c.applied))
 
@@ -109,7 +109,7 @@ def _turning(sample: PlanSample, name: str) -> Iterator[Contribution]:
 
 
 def _replaced(sample: PlanSample, channel: Channel, curve: Curve) -> Iterator[Contribution]:
-    """Yield what a curve requests while a curve drawn by hand replaces it."""
+    """Yield the requests of a curve while a curve drawn by hand replaces it."""
     requested = float(replaced_values(curve, sample.times)[0])
     if abs(requested) > _LEAST:
         origin = _origin(sample, channel, curve)
@@ -117,7 +117,7 @@ def _replaced(sample: PlanSample, channel: Channel, curve: Curve) -> Iterator[Co
 
 
 def _goals(sample: PlanSample, name: str) -> list[Contribution]:
-    """Return what the contact goals do to a contact."""
+    """Return the effect of the contact goals on a contact."""
     lips, time = sample.plan.lips, float(sample.times[0])
     if name not in CONTACTS or lips is None:
         return []
@@ -136,7 +136,7 @@ def _goals(sample: PlanSample, name: str) -> list[Contribution]:
 
 
 def _seal(sample: PlanSample, lips: CompiledLips, rig: LipRig) -> list[Contribution]:
-    """Return what closes the gap beyond the seal that the segments target.
+    """Return the cause that closes the gap beyond the seal that the segments target.
 
     That is a closure nearby, or else the segment whose lips other channels would part too far.
     """
@@ -172,7 +172,7 @@ def _reason(sample: PlanSample, name: str, entry: LedgerEntry) -> str:
 
 
 def _because(plan: Plan, suppressor: Suppressor) -> str:
-    """Say what a rival does, and what caused the rival."""
+    """Return the effect of a rival in words, with the rival's cause."""
     channel = next(
         c for c in plan.channels if c.name == suppressor.channel and suppressor.parameter in c.curves
     )
@@ -186,7 +186,7 @@ def _because(plan: Plan, suppressor: Suppressor) -> str:
 
 
 def _only(values: Array) -> float:
-    """Return the value at the only time, 0 if there is none: then the curve is at rest."""
+    """Return the value at the only time; 0 without a value, because the curve is then at rest."""
     return float(values[0]) if len(values) else 0.0
 
 
@@ -205,7 +205,7 @@ def _contribution(channel: str, origin: Origin) -> Contribution:
 
 
 def _notes(sample: PlanSample, name: str, value: float) -> Iterator[str]:
-    """Yield what the last steps did to the joined value."""
+    """Yield the effects of the last steps on the joined value."""
     lips, times = sample.plan.lips, sample.times
     parameter, rounded = PARAMETERS[INDEX[name]], sample.rounded(name)[0]
     if abs(rounded - sample.joined(name)[0]) > _SEEN * (parameter.high - parameter.low):

@@ -1,4 +1,4 @@
-"""What an explanation holds, and its words."""
+"""The contents of an explanation, and its wording."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _PRINTED = 5e-4
 
 @dataclass(frozen=True, slots=True)
 class Contribution:
-    """What one movement, segment or drawn curve requests of a parameter at a time, and what is applied.
+    """The request of one movement, segment or drawn curve for a parameter at a time, and the part applied.
 
     `label` names it, `cause` says why it exists. `requested` and `applied` are deviations from the
     parameter's neutral. `reason`: why less is applied than requested, or why it does not show; else "".

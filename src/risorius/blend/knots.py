@@ -52,7 +52,7 @@ def steps_between(edges: Array, step: float) -> IndexArray:
 class Knots:
     """Edges, shape (n,), sorted and distinct, with knots at most `step` seconds apart between them.
 
-    `reach`: edges have an effect over so many seconds; the middle of a longer stretch is not divided.
+    `reach`: seconds over which edges have an effect; the middle of a longer stretch is not divided.
     """
 
     def __init__(self, edges: Array, step: float, reach: float = np.inf) -> None:
@@ -65,7 +65,7 @@ class Knots:
     def between(self, start: float, stop: float) -> Array:
         """Return the knots from the last edge before `start` to the first after `stop`, shape (m,).
 
-        Where an edge is more than a block away, the knots begin or end at the one just beyond.
+        If an edge is more than a block away, the knots begin or end at the one just beyond.
         """
         first = max(int(np.searchsorted(self.edges, start, side="right")) - 1, 0)
         last = min(int(np.searchsorted(self.edges, stop, side="left")), len(self.edges) - 1)

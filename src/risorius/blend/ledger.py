@@ -1,4 +1,4 @@
-"""The ledger of a parameter: what each channel requests of it, and what every stage leaves of that.
+"""The ledger of a parameter: the requests of each channel, and the rest after each stage.
 
 A muscle, a contact or the tongue goes through four stages. A channel's movements *request* a value; the
 policy *resolves* it against rivals in other channels; of the jaw, the channel gets a *share* beside speech;
@@ -24,7 +24,7 @@ from .mouth.speech_mouth import JAW
 
 
 class LedgerEntry:
-    """What one channel requests of a parameter while it moves it, and what each stage leaves, shape (m,).
+    """One channel's requests for a parameter while it moves it, and the rest after each stage, shape (m,).
 
     `index`: at which of the ledger's times, shape (m,).
     """
@@ -38,12 +38,12 @@ class LedgerEntry:
 
     @cached_property
     def resolved(self) -> Array:
-        """What the policy leaves."""
+        """The requests after the policy."""
         return self._ledger.resolve(self.channel, self._ledger.name, self._times, self.requested)
 
     @cached_property
     def shared(self) -> Array:
-        """The same; of the jaw, what is added to the jaw of speech."""
+        """The resolved requests; for the jaw, the part that is added to the jaw of speech."""
         limits = self._ledger.limits
         if self._ledger.name != JAW or limits is None or self.channel.name == LIPS:
             return self.resolved
@@ -51,7 +51,7 @@ class LedgerEntry:
 
     @cached_property
     def applied(self) -> Array:
-        """What lies within the limits of speech."""
+        """The requests after the limits of speech."""
         ledger, limits = self._ledger, self._ledger.limits
         if limits is None or self.channel.name == LIPS:
             return self.shared
@@ -59,9 +59,9 @@ class LedgerEntry:
 
 
 class Ledger:
-    """What all channels do with one muscle, contact or part of the tongue at sorted times (n,), one or more.
+    """All channels' entries for one muscle, contact or part of the tongue at sorted times (n,), at least one.
 
-    `channels`: those of the plan; `resolve`: what the policy decides at these times; `limits`: those of
+    `channels`: those of the plan; `resolve`: the policy's decision at these times; `limits`: those of
     speech, None if nothing is said.
     """
 
@@ -78,7 +78,7 @@ class Ledger:
 
     @cached_property
     def speech(self) -> Array:
-        """What the lips' own movements leave, resolved, 0 if they do not move the parameter; shape (n,)."""
+        """The lips' own movements after the policy, 0 if they do not move the parameter; shape (n,)."""
         values = np.zeros(len(self.times))
         for channel in self.channels:
             if channel.name == LIPS:
@@ -95,13 +95,13 @@ class Ledger:
         return LedgerEntry(self, channel, *channel.sample(self.name, self.times))
 
     def curve_entry(self, channel: Channel, curve: Curve) -> LedgerEntry:
-        """Return the entry of one of a channel's curves, as though it had no other."""
+        """Return the entry of one curve, ignoring the channel's other curves."""
         return LedgerEntry(self, channel, *curve.sample(self.times))
 
 
 @dataclass(frozen=True, slots=True)
 class DirectionEntry:
-    """What one curve requests of a direction, and what the others leave of it: deviations (n,)."""
+    """One curve's request for a direction, and the part that the others leave of it: deviations (n,)."""
 
     channel: Channel
     curve: Curve
@@ -110,7 +110,7 @@ class DirectionEntry:
 
 
 def direction_entries(name: str, times: Array, channels: Sequence[Channel]) -> list[DirectionEntry]:
-    """Return what every curve does with a direction of head or gaze at sorted times (n,)."""
+    """Return the entry of every curve for a direction of head or gaze at sorted times (n,)."""
     curves = [(channel, curve) for channel in channels for curve in channel.curves.get(name, ())]
     requested = [_everywhere(curve, times) for _, curve in curves]
     applied = shares_of(name, requested) if requested else []

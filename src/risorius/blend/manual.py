@@ -73,7 +73,7 @@ class Replaced:
         return self._freed(times, *self.curve.sample(times))
 
     def lines(self, times: Array) -> tuple[IndexArray, Array]:
-        """Return what `sample` returns, by straight lines between knots if that is much faster."""
+        """Return the values of `sample`, by straight lines between knots if that is much faster."""
         return self._freed(times, *self.curve.lines(times))
 
     def _freed(self, times: Array, index: IndexArray, values: Array) -> tuple[IndexArray, Array]:
@@ -98,7 +98,7 @@ class Replaced:
         return np.concatenate((self.curve.breakpoints(), self._spans.ravel()))
 
     def replaced_values(self, times: Array) -> Array:
-        """Return what the curve would be while it is replaced, else 0, at sorted times, shape (n,)."""
+        """Return the replaced values of the curve, 0 elsewhere, at sorted times, shape (n,)."""
         values = np.zeros(len(times))
         index, hidden = self.curve.sample(times)
         values[index] = hidden
@@ -115,5 +115,5 @@ def replaced_spans(curves: Iterable[ManualCurve]) -> dict[str, Spans]:
 
 
 def replaced_values(curve: Curve, times: Array) -> Array:
-    """Return what a drawn curve hides of another channel's curve, at sorted times, shape (n,)."""
+    """Return the part of another channel's curve that a drawn curve hides, at sorted times, shape (n,)."""
     return curve.replaced_values(times) if isinstance(curve, Replaced) else np.zeros(len(times))

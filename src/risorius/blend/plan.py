@@ -42,9 +42,9 @@ from .tuning import tune
 from .units import UnitSums
 
 TAKEN_OVER = 0.06
-"""Of a muscle's range: how near to each other speech and a display turn from one to the other."""
+"""Share of a muscle's range over which the transition between speech and a display is rounded."""
 JAW_ROUNDED = 0.06
-"""Of the jaw's range: how near to the limit of a closed mouth it turns."""
+"""Share of the jaw's range over which it is rounded before the limit of a closed mouth."""
 CHUNK = 16_384
 """Times computed at once: memory beyond the result does not grow with its length."""
 
@@ -54,7 +54,7 @@ class Plan:
 
     `like` is the plan of a score with other movements: if lips and settings are equal, its compiled lips are
     used again, and so are layers whose movements are the same. Raises as `check_score` and `tune` do, and
-    InputError if the lips need a rig and there is none.
+    InputError if the lips need a rig and `rig` is None.
     """
 
     score: Score
@@ -177,7 +177,7 @@ class PlanSample:
         return self._values[name]
 
     def rounded(self, name: str, read: Callable[[PlanSample, str], Array] = joined) -> Array:
-        """Return what `read` returns of a parameter, averaged around each time, shape (n,)."""
+        """Return the values of `read` for a parameter, averaged around each time, shape (n,)."""
         width = self.plan.rounding.width(name)
         if not width:
             return read(self, name)
@@ -209,14 +209,14 @@ class PlanSample:
             average[here] += shares[here] * (closer - average[here])
 
     def ledger(self, name: str) -> Ledger:
-        """Return what all channels do with a parameter that is not a direction."""
+        """Return the ledger of a parameter that is not a direction."""
         if name not in self._ledgers:
             plan = self.plan
             self._ledgers[name] = Ledger(name, self.times, plan.channels, self._resolve, plan.limits)
         return self._ledgers[name]
 
     def direction_entries(self, name: str) -> list[DirectionEntry]:
-        """Return what every curve does with a direction."""
+        """Return the entries of every curve for a direction."""
         return direction_entries(name, self.times, self.plan.channels)
 
     def _direction(self, name: str) -> Array:
@@ -244,7 +244,7 @@ class PlanSample:
         return np.where(limit < 1.0, smooth_minimum(total, limit, JAW_ROUNDED), total)
 
     def _others(self, ledger: Ledger) -> Array:
-        """Return what all channels but speech apply together, shape (n,)."""
+        """Return the joined values of all channels but speech, shape (n,)."""
         by_channel: dict[tuple[str, bool], Array] = {}
         for channel in ledger.channels:
             if channel.name == LIPS or (channel.on_top and self.plan.policy.join is not Join.SUM):
@@ -258,7 +258,7 @@ class PlanSample:
         return self.plan.units.clipped(ledger, total) if self.plan.units else total
 
     def _raised(self, ledger: Ledger, total: Array) -> Array:
-        """Return what all apply together with what is marked to add to it, within the limits of speech."""
+        """Return the values of all channels, and movements on top of them, within the limits of speech."""
         if self.plan.policy.join is Join.SUM:
             return total
         for entry in (ledger.entry(c) for c in ledger.channels if c.on_top):
@@ -272,7 +272,7 @@ class PlanSample:
         return total
 
     def speech(self, name: str) -> Array:
-        """Return what the lips' own movements leave of a parameter, shape (n,)."""
+        """Return the lips' own values of a parameter after the policy, shape (n,)."""
         return self.ledger(name).speech
 
     def mouth_gaps(self, rig: LipRig) -> MouthGaps | None:

@@ -21,10 +21,10 @@ from .intervals import Spans, merged
 SAMPLES, MORE = 6, 12
 """Times around a moment at which a curve is read: few leave some small corners of a large one."""
 SHARP = 0.001
-"""From which fourth difference of what is read at a few times on there may be a corner: smooth movements of
+"""Fourth difference of the values at a few times from which there may be a corner: smooth movements of
 the brows have less."""
 FALLING = 1.5
-"""Weights that fall off evenly to both sides smooth as much as equal ones over a time so much shorter."""
+"""Triangular weights smooth as much as equal weights over a time shorter by this factor."""
 QUICK = 0.25
 """The share of the time over which lids and eyes are rounded: their fastest movements take some 30 ms."""
 
@@ -87,7 +87,7 @@ class Surroundings:
     def average(self, values: Array) -> Array:
         """Return the averages (n,) of values at `times`; of equal values exactly their value."""
         around = self._around(values)
-        # Of differences, so that those of equal values are exactly 0.
+        # Differences are averaged, so that equal values give exactly their value.
         return np.asarray(around[0] + ((around[1:] - around[0]) * self._weights).sum(axis=0))
 
     def sharpness(self, values: Array) -> Array:

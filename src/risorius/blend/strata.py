@@ -17,7 +17,7 @@ from .concatenate import LayerCurves
 from .levels import Levels
 
 STEP = 1e-6
-"""How much lower a stratum's priority is than that of the one above it."""
+"""The difference of priority between a stratum and the one above it."""
 ONE_PRIORITY = 1e-3
 """Strata of a channel differ by less: to other channels they are of one priority."""
 
@@ -49,7 +49,7 @@ def strata_of(
 
 
 Start = tuple[float, float, int]
-"""When a step starts, its largest target, and its movement's place in the score."""
+"""The start of a step, its largest target, and its movement's place in the score."""
 
 
 def _ranked(layer: LayerCurves, order: Mapping[int, int]) -> list[Start]:

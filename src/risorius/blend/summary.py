@@ -1,4 +1,4 @@
-"""How often every channel showed, was inhibited or was limited over a whole clip."""
+"""Counts over a whole clip: how often every channel showed, was inhibited or was limited."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _LEAST = 1e-9
 
 @dataclass(slots=True)
 class Tally:
-    """How often a channel did what in a clip, in frames × parameters.
+    """The counts of a channel in a clip, in frames × parameters.
 
     `active`: it requested something; `won`: it showed; `inhibited`: nothing of it was applied; `limited`:
     less was applied than requested.

@@ -1,4 +1,4 @@
-"""How much of each parameter its rivals in other channels suppress."""
+"""The share of each parameter that its rivals in other channels suppress."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What every channel does with one parameter over time: requested, applied, and when it was inhibited."""
+"""Traces of one parameter over time: what each channel requests and applies, and when it is inhibited."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ IndexRun = tuple[int, int]
 
 @dataclass(frozen=True, slots=True)
 class Trace:
-    """What a channel does with one parameter at n times, as deviations from its neutral.
+    """One channel's requests for a parameter at n times and what is applied, as deviations from its neutral.
 
     `requested`: by its movements; `applied`: what remains after all stages of the ledger; both shape (n,).
     """
@@ -74,7 +74,7 @@ def traces(plan: Plan, parameter: str, times: Array) -> tuple[Trace, ...]:
 
 
 def _turned(sample: PlanSample, name: str) -> Iterator[tuple[str, Array, Array]]:
-    """Yield channel, what is requested and what is applied of a direction, for every curve; (n,) both."""
+    """Yield the channel, the requested and the applied values (n,) of a direction, for every curve."""
     for entry in sample.direction_entries(name):
         yield entry.channel.name, entry.requested + replaced_values(entry.curve, sample.times), entry.applied
 

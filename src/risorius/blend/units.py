@@ -85,7 +85,7 @@ class UnitSums:
 
 
 def _share_left(part: UnitPart, ledger: Ledger) -> Array:
-    """Return what share of a channel's request for a parameter conflicts and limits leave, shape (n,)."""
+    """Return the share of a channel's request for a parameter that conflicts and limits leave, (n,)."""
     share = np.zeros(len(ledger.times))
     for channel in ledger.channels:
         if channel.name == part.channel and not channel.on_top and channel.stratum in (None, part.layer):

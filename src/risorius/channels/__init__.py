@@ -1,4 +1,4 @@
-"""From what is said and marked to movements: one file per channel, each a plain function."""
+"""Make movements of speech and marks: one file per channel, each a plain function."""
 
 from ..rules.emotions import Display
 from .compose import HORIZON, built_channels, compose

@@ -1,4 +1,4 @@
-"""Which consonants a coming vowel already takes part in, and what it makes of their targets.
+"""Anticipation: a coming vowel already shapes the consonants before it.
 
 A vowel begins with the consonants of its syllable that are before it (Öhman 1966): an articulator that such a
 consonant leaves free already moves to the vowel. The consonants at the end of a syllable are timed by the
@@ -17,8 +17,8 @@ from ..core.movement import LipSegment
 from ..core.utterance import SILENCE, Phone, Utterance
 
 ROUNDING = (WIDTH, PROTRUSION)
-"""What rounding moves. It begins before its vowel; a vowel without it asks nothing of the consonants.
-Where a phone has no target for these, it keeps them at rest."""
+"""The articulators of rounding. It begins before its vowel; an unrounded vowel asks nothing of consonants.
+A phone without a target for these keeps them at rest."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,8 +72,8 @@ def coming_vowels(
 def anticipated(own: LipSegment, vowel: LipSegment, shares: Mapping[str, float]) -> TargetsHeld:
     """Return the targets of a consonant's segment in which a vowel takes part, by `shares` of its precision.
 
-    Each is the mean of both, by precision; it is as precise as both together. What is to be closed, or what
-    the vowel has no target for, stays as it is.
+    Each is the mean of both, by precision; it is as precise as both together. Closures, and
+    articulators without a target of the vowel, stay as they are.
     """
     targets, precision = dict(own.targets), dict(own.precision)
     rounded = PROTRUSION in vowel.targets

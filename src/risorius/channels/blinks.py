@@ -83,7 +83,7 @@ def phonemic(start: float, boundaries: Sequence[float]) -> MovementPhases:
 
 
 def _timed(start: float, parts: tuple[float, float, float]) -> MovementPhases:
-    """Return a blink that closes, is closed and opens for so many seconds."""
+    """Return a blink, by the seconds in which it closes, stays closed and opens."""
     closing, closed, opening = parts
     apex = start + closing
     return MovementPhases(start, apex, apex + closed, apex + closed + opening)

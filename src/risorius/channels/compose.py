@@ -21,7 +21,7 @@ from .inputs import ChannelInputs, Context
 from .registry import builder_of
 
 HORIZON = 0.55
-"""How far appended text reaches back, seconds: up to this long before the end of the last sentence so far, no
+"""The reach of appended text, in seconds: up to this long before the end of the last sentence so far, no
 movement begins, goes on or ends in another way because of it.
 
 That is .9 s before the end of a live turn (DESIGN, section 6), which is silent for .35 s. The package's rules

@@ -1,4 +1,4 @@
-"""Emotion: displays marked and asked for, emblems by rules, and what a face always shows a little."""
+"""Emotion: displays marked and asked for, emblems by rules, and a slight posture that is always shown."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from .ruled import marked_and_ruled
 
 POSTURE = "emotion.posture.speaker"
 _OVERLAP = 0.05
-# What lasts as long as the clip is released so long after its end, seconds: later than any frame's time.
+# Seconds after the clip's end until displays that last to the end are released: later than any frame.
 _BEYOND = 0.1
 
 
@@ -60,7 +60,7 @@ def _placed(display: Display, duration: float) -> Display:
 def _movements(
     display: Display, number: int, displays: Sequence[Display], duration: float
 ) -> Iterator[Movement]:
-    """Yield a display, in parts where others begin or end beside it: in company it may show less.
+    """Yield a display, in parts if others begin or end beside it: in company it may show less.
 
     One that lasts as long as the clip is not released in it: the last pause is stillness.
     """

@@ -1,4 +1,4 @@
-"""How eyes and head share a shift of gaze: main sequence, Freedman's law, vestibulo-ocular reflex.
+"""Division of a gaze shift between eyes and head: main sequence, Freedman's law, vestibulo-ocular reflex.
 
 Freedman 2001, as used by Itti, Dhavale and Pighin 2003: within a dead zone the eyes go alone; beyond it the
 head takes a share that grows with the shift. The share printed there jumps at the zone's edge; ours is the
@@ -63,7 +63,7 @@ def head_duration(degrees: float) -> float:
 
 
 def head_help(mark: Movement) -> Movement | None:
-    """Return the head's share of a marked look, the eyes turned against it; None where they go alone.
+    """Return the head's share of a marked look, the eyes turned against it; None if they go alone.
 
     The mark stays as it is written: eyes and head together look where it says.
     """
@@ -107,7 +107,7 @@ class _Chain:
 
 
 class _Pose:
-    """Where eyes and head are, and all that brought them there."""
+    """The directions of eyes and head, and all movements that brought them there."""
 
     def __init__(self) -> None:
         self.eye: Angles = (0.0, 0.0)
@@ -160,7 +160,7 @@ def shifts_of(
 ) -> Iterator[Movement]:
     """Yield the movements of eyes, head and lids for shifts of gaze in order of time.
 
-    A shift that comes while the last one is under way waits for it, and is left out where the next one comes
+    A shift that comes while the last one is under way waits for it, and is left out if the next one comes
     first. `habits` say how probable a blink is with a shift by 33 degrees; see `blinks_with`.
     """
     pose = _Pose()

@@ -1,4 +1,4 @@
-"""What channels build from, gathered from a script and what is said of it."""
+"""Collect the inputs of channels from a script and what is said of it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ SILENT_DURATION = 1.0
 def inputs_of(
     script: Script, utterance: Utterance | None, emotions: tuple[Display, ...] = ()
 ) -> ChannelInputs:
-    """Return what channels build from: what is said, if anything is, what the script marks, and `emotions`.
+    """Return the inputs of channels: the utterance, if any, the marks of the script, and `emotions`.
 
     Who speaks, and in which manner, is as the fields of `ChannelInputs` have it by default.
     """

@@ -71,7 +71,7 @@ def gaze(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
     yield from movements_of_rules(inputs, context)
     if not inputs.lively:
         return
-    # While listening the eyes are as free as else: only who is looked at is marked.
+    # Listening marks only the gaze target; random gaze shifts stay enabled.
     looking = [m for m in marked if (m.start, m.end) not in inputs.listening]
     yield from _blinks(looking, inputs, context.numbers)
     looks = [Glance(m.start, m.end, LISTENER, m.cause, fixed=True) for m in looking]
@@ -82,7 +82,7 @@ def gaze(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
 
 
 class _Ends:
-    """When the looks may begin that end a turn: it may end with each of its sentences."""
+    """The times at which looks that end a turn may begin: a turn may end with each of its sentences."""
 
     def __init__(self, inputs: ChannelInputs) -> None:
         ending = (r for r in inputs.rules if r.level is Level.TURN and r.timing.at is RuleAnchor.END)
@@ -131,7 +131,7 @@ def _apart(looks: Sequence[Glance]) -> list[Glance]:
 def _commanded(
     inputs: ChannelInputs, marked: Sequence[Glance], ends: _Ends, context: Context
 ) -> list[Glance]:
-    """Return the marked looks, and those of rules where they do not stand against them, one after another."""
+    """Return the marked looks, and those of rules if they do not stand against them, one after another."""
     looks = list(marked)
     events = [e for e in context.events if e.rule.effect.look is not None]
     smiles = _smiles(inputs)
@@ -179,8 +179,7 @@ def _around(normal: tuple[float, float], numbers: Counted, what: str) -> float:
 def _averted(inputs: ChannelInputs, looks: Sequence[Glance], ends: _Ends, numbers: Counted) -> list[Glance]:
     """Return the looks, and among them those away that regulate intimacy (Andrist et al. 2013).
 
-    No smile looks away, and nobody who has said all; none begins near the end of a sentence. Other looks cut
-    them short.
+    None begins during a smile, after the last word or near the end of a sentence. Other looks cut them short.
     """
     found = list(looks)
     looks = sorted([*looks, *_smiles(inputs), *_silence(inputs)], key=lambda k: k.start)
@@ -221,7 +220,7 @@ def _aversion(inputs: ChannelInputs, time: float) -> Aversion:
 def _fixations(
     inputs: ChannelInputs, looks: Sequence[Glance], ends: _Ends, numbers: Counted
 ) -> Iterator[GazeShift]:
-    """Yield the shifts of gaze in order: to each look, back, and about what is looked at meanwhile."""
+    """Yield the shifts of gaze in order: to each look, back, and about the target meanwhile."""
     time = 0.0
 
     def shift(start: float, direction: Angles, cause: Cause) -> GazeShift:
@@ -264,7 +263,7 @@ def _scan(
 def _fixation(mean: float, numbers: Counted) -> float:
     """Return seconds of a fixation: none shorter than the eyes' refractory time, few much longer.
 
-    What is beyond that time follows a gamma distribution of shape 2, the sum of two exponential ones.
+    The rest of the time follows a gamma distribution of shape 2, the sum of two exponential ones.
     """
     beyond = numbers.exponential("first") + numbers.exponential("second")
     return _REFRACTORY + 0.5 * max(mean - _REFRACTORY, 0.05) * beyond

@@ -42,7 +42,7 @@ def head(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
 
 
 def posture(inputs: ChannelInputs) -> dict[str, float]:
-    """Return what the profile and the attitudes hold throughout, added up within each parameter's range."""
+    """Return the postures of profile and attitudes, added up within each parameter's range."""
     total: dict[str, float] = {}
     for held in (inputs.profile.posture, *(a.posture for a in inputs.attitudes)):
         for name, value in resolve_targets(held).items():
@@ -161,7 +161,7 @@ def _link(
 
 
 class _Calm:
-    """How much of the noise is left at a time: all in speech, less in pauses and while listening."""
+    """The share of the noise at a time: all in speech, less in pauses and while listening."""
 
     def __init__(self, inputs: ChannelInputs) -> None:
         habits = inputs.profile.head

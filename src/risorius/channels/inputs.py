@@ -1,4 +1,4 @@
-"""What channels build from."""
+"""The inputs of channels."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ from ..rules.units import Units
 class ChannelInputs:
     """All that a channel may build from.
 
-    `utterance` is None where nothing is said. `marks`: the script's movements, of all channels. `emotions`:
+    `utterance` is None if nothing is said. `marks`: the script's movements, of all channels. `emotions`:
     the displays asked for beside the script; `felt`: those that the script marks. `listening`: spans of
     listening, seconds. `lively`: whether rules, random blinks, small head and eye movements are wanted.
-    `rules`: those that hold.
+    `rules`: those in force.
     """
 
     duration: float
@@ -42,7 +42,7 @@ class ChannelInputs:
 
     @cached_property
     def situation(self) -> Situation:
-        """What rules see."""
+        """The situation that rules are matched against."""
         felt = (*self.felt, *self.emotions)
         return Situation(self.duration, self.utterance, felt, self.listening)
 
@@ -53,11 +53,11 @@ class ChannelInputs:
 
     @cached_property
     def modulations(self) -> tuple[Modulation, ...]:
-        """What the speaker does more or less of, emotions apart."""
+        """The speaker's modulations, without those of emotions."""
         return (self.profile.modulation, *(a.modulation for a in self.attitudes))
 
     def modulations_at(self, time: float) -> tuple[Modulation, ...]:
-        """Return what the speaker does more or less of at a time, emotions included."""
+        """Return the speaker's modulations at a time, including those of emotions."""
         return (*self.modulations, *felt_modulations(self.situation.emotions_at(time)))
 
     def marked(self, channel: str) -> tuple[Movement, ...]:
@@ -67,8 +67,8 @@ class ChannelInputs:
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    """What a channel builds beside: its own `name`, the events of all rules, the movements that the channels
-    before it `built`, and its random numbers.
+    """The context of a channel while it builds: its own `name`, the events of all rules, the movements that
+    the channels before it `built`, and its random numbers.
     """
 
     name: str

@@ -9,7 +9,7 @@ import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from ..core.articulators import PROTRUSION, within_range
+from ..core.articulators import PROTRUSION, SHORTEST_CLOSURE, within_range
 from ..core.frozen import FrozenDict
 from ..core.movement import Cause, LipSegment, silent_dominance
 from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
@@ -21,8 +21,6 @@ from .inputs import ChannelInputs, Context
 from .registry import register
 from .tempo import fullness_of_phones
 
-# A closure is never shorter than this many seconds, if its phone is not (DESIGN, section 3; facts: lips).
-SHORTEST_CLOSURE = 0.04
 # Seconds before the release of a closure is heard in which the lips begin to part: people's lips press
 # hardest soon after they meet, and may part at full speed before the release (Löfqvist 1996).
 PARTING = 0.01
@@ -100,7 +98,7 @@ class _Shaper:
             yield own.with_targets(held.targets, held.precision)
 
     def _anticipates(self, phone: Phone) -> Mapping[str, float]:
-        """Return what all sounds of a consonant leave to the coming vowel."""
+        """Return the articulators that all sounds of a consonant leave to the coming vowel."""
         classes = [shape.lip_class for _, shape, _ in self._sounds(phone.symbol)]
         first, *others = (self.table.holdings[name].anticipates for name in classes)
         return {name: share for name, share in first.items() if all(name in other for other in others)}
@@ -204,7 +202,7 @@ class _Shaper:
 
 
 def _scaled(name: str, value: float, factor: float) -> float:
-    """Return a target times a factor; what is closed stays closed."""
+    """Return a target times a factor; a closed articulator stays closed."""
     closed = name in OPENING and value <= 0.0
     return value if closed or factor == 1.0 else within_range(name, value * factor)
 

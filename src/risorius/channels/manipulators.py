@@ -1,6 +1,6 @@
 """Manipulators: blinks that wet the eyes (paper A, channel 1; paper B, section 5.2), by one of three models.
 
-Whatever the model, the blinks that rules, shifts of gaze and the script ask for count as the last ones.
+In every model, blinks that rules, shifts of gaze and the script ask for count as the last ones.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from .ruled import marked_and_ruled
 NATURAL, ITTI, PELACHAUD = (f"manipulators.lids.{name}" for name in ("natural", "itti", "pelachaud"))
 # Blinks a second after one, two and three waits (facts: science/03, section 3.1, for its step of 0.1 ms).
 _HAZARDS = (1.0, 10.0, 1000.0)
-# What closes the eyes so far for no longer than this is a blink, seconds.
+# A movement that closes the eyes at least this far (0..1) and lasts at most this long (seconds) is a blink.
 _SHUT, _LONGEST = 0.5, 0.8
 # Seconds between two blinks at least.
 _APART = 0.25
@@ -29,11 +29,11 @@ _APART = 0.25
 NextBlink = Callable[[float, Counted], float]
 """(end of what the wait runs from, numbers) -> when the next blink comes, seconds."""
 WaitReset = tuple[float, float, float]
-"""Start and end of what restarts the wait for a blink, and how long before it no blink begins, seconds."""
+"""Start and end of an event that restarts the wait for a blink, and the seconds before it without blinks."""
 
 
 def manipulators(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
-    """Yield the marked blinks, those of rules, and others where too much time passes without one."""
+    """Yield the marked blinks, those of rules, and others if too much time passes without one."""
     known = list(marked_and_ruled(inputs, context))
     yield from known
     habits, boundaries = inputs.profile.blinks, inputs.units.boundaries
@@ -123,7 +123,7 @@ def itti_wait(numbers: Counted, wait: float) -> float:
 
 
 # A blink's timing: paper B, section 5 (1/8 s of closure, 1/24 s closed, 1/12 s of aperture). Built last: no
-# blink is added where another channel has one.
+# blink is added if another channel has one.
 register(
     "manipulators",
     50.0,

@@ -1,4 +1,4 @@
-"""Punctuators: what pauses look like, by rules and marks (paper B, section 2.1)."""
+"""Punctuators: movements at pauses, by rules and marks (paper B, section 2.1)."""
 
 from .registry import register
 from .ruled import marked_and_ruled

@@ -1,4 +1,4 @@
-"""The registration of channels, and what builds each."""
+"""The registration of channels, each with its builder."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def register(name: str, priority: float, build: ChannelBuilder | None = None, **
 
 
 def builder_of(channel: ChannelDeclaration) -> ChannelBuilder:
-    """Return what builds a channel; its module is imported if it is not yet."""
+    """Return the builder of a channel; its module is imported if it is not yet."""
     if channel.name not in _BUILDERS:
         import_module(channel.module)
     return _BUILDERS[channel.name]

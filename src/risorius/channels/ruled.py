@@ -1,4 +1,4 @@
-"""Movements of rules: events become movements, beside what the script marks."""
+"""Movements of rules: events become movements, beside the marks of the script."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def _held(event: Event) -> Movement:
 
 
 def _following_gestures(events: Sequence[Event]) -> list[float]:
-    """Return for each event when the next gesture of the same part begins, infinity if there is none."""
+    """Return for each event when the next gesture of the same part begins, infinity after the last."""
     starts: dict[str, float] = {}
     following = []
     for event in reversed(events):

@@ -1,4 +1,4 @@
-"""Signals: what accents and questions look like, by rules and marks (paper B, section 2.1)."""
+"""Signals: movements at accents and questions, by rules and marks (paper B, section 2.1)."""
 
 from .registry import register
 from .ruled import marked_and_ruled

@@ -1,4 +1,4 @@
-"""How fully each stretch of speech is articulated, by its rate (`rules/data/lips.toml`, `tempo`)."""
+"""The fullness of articulation of each stretch of speech, by its rate (`rules/data/lips.toml`, `tempo`)."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..core.utterance import SILENCE, Utterance
 from ..rules.lips import LipTable
 
 DIGITS = 2
-"""Factors have so many digits, so that phones of many stretches share their targets."""
+"""Digits to which factors are rounded, so that phones of many stretches share their targets."""
 
 
 def fullness_of_phones(utterance: Utterance, table: LipTable) -> list[float]:
@@ -26,7 +26,7 @@ def fullness_of_phones(utterance: Utterance, table: LipTable) -> list[float]:
 def _stretches(utterance: Utterance, shortest: float) -> Iterator[range]:
     """Yield the phones between silences of `shortest` seconds or more, and ends of sentences.
 
-    What is said after a sentence does not change how it is said.
+    Later words do not change the stretches of earlier sentences.
     """
     ends = {utterance.words[sentence.last_word - 1].last_phone for sentence in utterance.sentences}
     start = 0

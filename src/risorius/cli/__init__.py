@@ -101,7 +101,7 @@ def _fault(message: str, place: Place | None = None) -> int:
 
 
 def _unforeseen(error: Exception, arguments: list[str], debug: bool) -> int:
-    """Say in one line what nobody foresaw: the system's fault, or ours with a file."""
+    """Report an unforeseen error in one line: the system's fault, or ours with a file."""
     if debug:
         traceback.print_exception(error)
     if isinstance(error, OSError) and error.errno is not None:
@@ -128,7 +128,7 @@ class Commands(CommandGroup):
     """All commands; help lists them in sections, those that are wanted first before the others."""
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write each section with its commands and what they do."""
+        """Write each section with its commands and their descriptions."""
         for title, section in SECTIONS.items():
             with formatter.section(title):
                 formatter.write_dl([(str(it.name), it.get_short_help_str(formatter.width)) for it in section])

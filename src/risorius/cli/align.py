@@ -21,7 +21,7 @@ def align(audio: str, transcript: str | None, outputs: tuple[Path, ...], languag
     """Find when each word and phone of TRANSCRIPT (a text, or a file) is spoken in AUDIO.
 
     Correct the TextGrid in Praat, then perform it: risorius speak x.TextGrid --audio x.wav. Without a
-    TRANSCRIPT the words are guessed, as English.
+    TRANSCRIPT the words are recognized, as English.
     """
     if not outputs:
         raise OutputError("no output named; expected -o x.TextGrid")

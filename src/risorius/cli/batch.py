@@ -64,7 +64,7 @@ EXIT_FAILED = 1
     group="Batch",
     type=click.Path(path_type=Path),
     metavar="FOLDER",
-    help="Where journal, errors and report are written.  [default: the fixed folder of the first output]",
+    help="Where journal, errors and report are written.  [default: the folder that outputs share]",
 )
 @option(
     "--contact-sheet", "sheets", group="Batch", is_flag=True, help="Show pictures of each line in the report."

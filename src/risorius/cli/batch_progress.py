@@ -1,4 +1,4 @@
-"""What a batch says while it runs: a bar, or a line now and then; and each failure, up to some."""
+"""Progress of a batch: a bar or occasional lines, and each failure up to a limit."""
 
 from __future__ import annotations
 
@@ -37,14 +37,14 @@ class BatchProgress:
         self._say_how_it_goes()
 
     def finish(self, folder: Path) -> None:
-        """Say what came of it."""
+        """Report the outcome of the batch."""
         seconds = time.monotonic() - self._start
         lines = "1 line" if self.made == 1 else f"{self.made:,} lines"
         parts = [f"{lines} made in {clock(seconds)}"]
         if self.made:
             parts[0] += f" ({self._rate():.1f} a second)"
         if self.whole:
-            parts.append(f"{self.whole:,} were whole")
+            parts.append(f"{self.whole:,} were already complete")
         if self.failed:
             parts.append(f"{self.failed:,} failed")
         self._console.say(f"{', '.join(parts)}; see {folder / 'report.html'}")

@@ -1,4 +1,4 @@
-"""What the command line says while it works: lines and a progress bar, on standard error."""
+"""Messages of the command line while it works: lines and a progress bar, on standard error."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 EXIT_INTERRUPTED = 130
-INTERVAL = 10.0  # seconds between lines where there is no bar
+INTERVAL = 10.0  # seconds between lines if no bar is shown
 _interrupted = threading.Event()
 
 
@@ -30,13 +30,13 @@ class Interrupted(KeyboardInterrupt):
 
 
 def interrupt(number: int, frame: FrameType | None) -> None:
-    """Handle a signal: stop here, or at the next step where the exception is lost in foreign code."""
+    """Handle a signal: stop here, or at the next step if the exception is lost in foreign code."""
     _interrupted.set()
     raise Interrupted
 
 
 class Console:
-    """Says what is being done: by a bar where a person watches, by lines or JSON (`messages`) otherwise."""
+    """Reports progress: by a bar if a person watches, by lines or JSON (`messages`) otherwise."""
 
     def __init__(self) -> None:
         self._bar: Progress | None = None
@@ -45,12 +45,12 @@ class Console:
         self._warnings = warnings_to(self._warn)
 
     def say(self, line: str) -> None:
-        """Say one line of what is done, unless only faults are wanted."""
+        """Report one line of progress, unless only faults are wanted."""
         if message_form() is not MessageForm.QUIET:
             self._send(line, message=line)
 
     def fail(self, line: str) -> None:
-        """Say what went wrong, though the work goes on."""
+        """Report a fault after which the work goes on."""
         self._send(f"risorius: {line}", error=line)
 
     def wrote(self, outputs: Iterable[Path]) -> None:
@@ -69,7 +69,7 @@ class Console:
             send(line, **parts)
 
     def progress(self, stage: str, done: int = 0, total: int = 0, note: str = "") -> None:
-        """Say that `stage` goes on: `done` of `total` steps, or that it began where total is 0.
+        """Say that `stage` goes on: `done` of `total` steps, or that it began if total is 0.
 
         `note` stands behind the bar. Without a bar a line comes every `INTERVAL` seconds, and at the end.
         """

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from ..core.setting import Names
+from ..core.names import Names
 from ..errors import InputError
 from .options import Command, Named, NumberIn, option
 

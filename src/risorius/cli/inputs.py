@@ -1,4 +1,4 @@
-"""What `speak` and `stream` are given: a text, a file, standard input, or a recording and its words."""
+"""Inputs of `speak` and `stream`: a text, a file, standard input, or a recording and its words."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ LONGEST_INPUT = 4_000_000
 
 @dataclass(frozen=True, slots=True)
 class Spoken:
-    """INPUT and the options of `input_options`; raises RisoriusError where nothing is left to perform."""
+    """INPUT and the options of `input_options`; raises RisoriusError if nothing is left to perform."""
 
     source: str | None
     is_text: bool
@@ -41,7 +41,7 @@ class Spoken:
         return speak(**self._arguments(), settings=settings, progress=progress)
 
     def perform_to_draw(self, settings: Settings, progress: Progress) -> Take:
-        """Perform it, and load what draws its pictures meanwhile."""
+        """Perform it, and load the renderer meanwhile."""
         from ..speaking import speak_and_prepare
 
         return speak_and_prepare(self._arguments(), settings, progress)
@@ -83,7 +83,7 @@ _OPTIONS: tuple[Callable[[Any], Any], ...] = (
 
 
 def input_options(command: F) -> F:
-    """Give a command the options of what is performed."""
+    """Give a command the options of its input."""
     for add in reversed(_OPTIONS):
         command = add(command)
     return command

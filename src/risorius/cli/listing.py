@@ -61,7 +61,7 @@ def emotions() -> Listing:
 
 
 def voices() -> Listing:
-    """The voices that come along, the default first."""
+    """The voices that come with Risorius, the default first."""
     from ..speech.engines.voices import voices as all_voices
 
     return ("voice", "language", "name"), [
@@ -71,7 +71,7 @@ def voices() -> Listing:
 
 
 def languages() -> Listing:
-    """The languages, with what is known of each beside its sounds."""
+    """The languages, with the data that each has beside its sounds."""
     from ..languages import language_of
     from ..languages import languages as all_languages
     from ..speech.engines.voices import speaking
@@ -102,7 +102,7 @@ def outputs() -> Listing:
 
 
 def heads() -> Listing:
-    """The heads that come along."""
+    """The heads that come with Risorius."""
     from ..face.head import load_head, shipped_heads
 
     identities = {name: load_head(name).identity for name in shipped_heads()}
@@ -182,7 +182,7 @@ LISTINGS: dict[str, Callable[[], Listing]] = {
 
 
 def _help() -> str:
-    """Return the help of `list`: what each list holds."""
+    """Return the help of `list`: the content of each list."""
     width = max(map(len, LISTINGS))
     lines = [f"{name:{width}}  {inspect.getdoc(rows)}" for name, rows in LISTINGS.items()]
     return "\n".join(["List the names that can be used.", "", "\b", *lines])

@@ -1,4 +1,4 @@
-"""How the command line speaks: lines for people, objects of JSON for programs, or only what went wrong."""
+"""The forms of messages: lines for people, objects of JSON for programs, or only faults."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ QUIET, JSON = "--quiet", "--json"
 
 
 class MessageForm(StrEnum):
-    """In which form messages are printed on standard error."""
+    """The form of messages on standard error."""
 
     LINES = "lines"
     QUIET = "quiet"

@@ -18,11 +18,11 @@ PRINTED = "-.muscles.csv"
 @click.command(cls=Command, short_help="Combine the movements of a score into curves.")
 @click.argument("score", type=click.Path(path_type=Path, dir_okay=True))
 @output_option
-@setting_options((Stage.COMBINE, *SHOWN))
+@setting_options((Stage.COMBINE, *SHOWN), defaults={Stage.COMBINE: "the score's"})
 def mix(score: Path, outputs: tuple[Path, ...], **chosen: Any) -> None:
     """Combine the movements of SCORE (.json) into curves.
 
-    Without -o the curves go to standard output as CSV. The score has the settings; options change them.
+    Without -o the curves go to standard output as CSV. The settings are the score's; options override them.
     """
     from ..api import mix as combine
 

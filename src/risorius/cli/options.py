@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, TypeVar
 
 import click
 from click.shell_completion import CompletionItem
 
-from ..core.setting import Group, Names, Row, Stage, ValueKind, rows
+from ..core.names import Names
+from ..core.setting import Group, Row, Stage, ValueKind, rows
 from ..errors import InputError, ParameterError, Place, unknown
 from ..settings import Settings
 from .messages import JSON, QUIET
@@ -63,7 +65,7 @@ class CommandGroup(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Return the name of the command, the command and its arguments; fail if there is no such command."""
+        """Return the name of the command, the command and its arguments; fail for an unknown command."""
         if args and not args[0].startswith("-") and self.get_command(ctx, args[0]) is None:
             ctx.fail(unknown("command", args[0], self.commands))
         return super().resolve_command(ctx, args)
@@ -107,7 +109,7 @@ class NumberIn(click.ParamType[float]):
         self._expected = f"expected {low:g} or more" if high == math.inf else f"expected {low:g} to {high:g}"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
-        """Return the number; raise ParameterError for a text that is none, and for one out of range."""
+        """Return the number; raise ParameterError if the text is not a number or is out of range."""
         flag = "" if param is None else f"{param.opts[0]} "
         try:
             number = self._kind(value)
@@ -120,7 +122,7 @@ class NumberIn(click.ParamType[float]):
 
 
 class Named(click.ParamType[str]):
-    """A text that begins with a name: the names complete it, several where commas separate them."""
+    """A text that begins with a name: the names complete it, several if commas separate them."""
 
     def __init__(self, names: Names, *, after: str = "", separator: str = "") -> None:
         self.name, self._names, self._after, self._separator = "text", names, after, separator
@@ -128,7 +130,7 @@ class Named(click.ParamType[str]):
     def shell_complete(
         self, ctx: click.Context, param: click.Parameter, incomplete: str
     ) -> list[CompletionItem]:
-        """Return the names that begin with what stands there already."""
+        """Return the names that begin with the text so far."""
         before, comma, begun = "", "", incomplete
         if self._separator:
             before, comma, begun = incomplete.rpartition(self._separator)
@@ -140,18 +142,26 @@ class Named(click.ParamType[str]):
 
 
 def option(*names: str, group: str, **about: Any) -> Callable[[F], F]:
-    """Return the decorator of an option that is no setting."""
+    """Return the decorator of an option that is not a setting."""
     return click.option(*names, cls=Option, group=group, **about)
 
 
-def setting_options(stages: Collection[Stage] = (), names: Collection[str] = ()) -> Callable[[F], F]:
-    """Return a decorator that gives a command the options of the settings that `stages` read, and `names`."""
+def setting_options(
+    stages: Collection[Stage] = (),
+    names: Collection[str] = (),
+    *,
+    defaults: Mapping[Stage, str] = MappingProxyType({}),
+) -> Callable[[F], F]:
+    """Return a decorator that gives a command the options of the settings that `stages` read, and `names`.
+
+    `defaults`: in words, what settings of a stage have that are not chosen, if it is not what is usual.
+    """
 
     def decorate(command: F) -> F:
-        # What is decorated last comes first.
+        # Options are listed in the reverse order of their decorators.
         for row in [row for group in Group for row in _rows_in(group)][::-1]:
             if row.flag is not None and (row.entry.stage in stages or row.name in names):
-                command = _option(row)(command)
+                command = _option(row, defaults.get(row.entry.stage))(command)
         return config_option(preset_option(command)) if stages else command
 
     return decorate
@@ -162,7 +172,7 @@ def _rows_in(group: Group) -> list[Row]:
 
 
 def settings_from(chosen: Mapping[str, Any]) -> Settings:
-    """Return the settings that a command's options chose; raise RisoriusError for what is none."""
+    """Return the settings that a command's options chose; raise RisoriusError for an invalid value."""
     from ..presets import load_settings
 
     table, kept = rows(Settings), {**chosen}
@@ -184,9 +194,9 @@ def flag(name: str) -> str:
     return (row.flag if row is not None else None) or f"--{name.replace('_', '-')}"
 
 
-def _option(row: Row) -> Callable[[F], F]:
+def _option(row: Row, default: str | None) -> Callable[[F], F]:
     about: dict[str, Any] = {"metavar": row.entry.metavar, "type": _type(row)}
-    shown = "" if row.is_flag else row.text(row.usual)
+    shown = "" if row.is_flag else default or row.text(row.usual)
     if row.is_flag:
         about = {"is_flag": True}
     elif row.several:
@@ -230,7 +240,7 @@ config_option = option(
     group="Settings",
     multiple=True,
     metavar="FILE",
-    help="A .toml file with settings of yours, such as fps = 60. It overrides presets; options override it. "
+    help="A .toml file with your settings, such as fps = 60. It overrides presets; options override it. "
     "May be given several times.",
 )
 output_option = option(
@@ -259,7 +269,7 @@ emotion_option = option(
 def check_outputs(
     outputs: Collection[Path], settings: Settings | None = None, available: Collection[str] | None = None
 ) -> None:
-    """Raise RisoriusError for outputs that cannot be written of what is `available`, and for settings that
+    """Raise RisoriusError for outputs that cannot be made of the `available` stages, and for settings that
     change none of them.
     """
     from ..ports.formats import Need

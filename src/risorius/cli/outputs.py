@@ -35,8 +35,7 @@ def _files_for(outputs: Collection[Path]) -> Iterator[tuple[Path, ...]]:
 def written(console: Console, outputs: Collection[Path]) -> Iterator[tuple[Path, ...]]:
     """Yield the files to write, one that is printed later for standard output; when all are written, say so.
 
-    Raises OutputError for several of these, for a suffix that is none, and if a terminal would get what is no
-    text.
+    Raises OutputError for more than one `-.SUFFIX`, an unknown suffix, or binary output to a terminal.
     """
     with _files_for(outputs) as files:
         yield files
@@ -62,7 +61,7 @@ def _check(printed: list[Path]) -> None:
 def _print(file: Path, place: Place) -> None:
     with file.open("rb") as content:
         if sys.stdout.isatty() and b"\0" in content.read(_LOOKED_AT):
-            raise OutputError("is not text, which a terminal could show; expected a pipe or a file", place)
+            raise OutputError("a terminal cannot show binary output; expected a pipe or a file", place)
         content.seek(0)
         sys.stdout.flush()
         shutil.copyfileobj(content, sys.stdout.buffer)

@@ -7,7 +7,8 @@ from typing import Any
 
 import click
 
-from ..core.setting import Names, Stage
+from ..core.names import Names
+from ..core.setting import Stage
 from ..errors import InputError, OutputError
 from .console import Console
 from .options import (

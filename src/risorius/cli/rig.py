@@ -13,7 +13,7 @@ from .console import Console
 from .options import Command, option, setting_options, settings_from
 
 
-@click.command(cls=Command, short_help="Perform on a character of yours (.glb).")
+@click.command(cls=Command, short_help="Perform on your own character (.glb).")
 @click.argument("character", type=click.Path(path_type=Path, dir_okay=True))
 @option(
     "--map",

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from ..core.setting import Names
+from ..core.names import Names
 from ..errors import InputError
 from .messages import print_table
 from .options import Command, CommandGroup, Named, rules_option
@@ -43,15 +43,27 @@ def show(name: str, rules: Path | None) -> None:
 @rules.command(cls=Command)
 @rules_option
 def doctor(rules: Path | None) -> None:
-    """Find unknown names, and rules that can never fire or conflict."""
+    """Find unknown names, rules that can never fire or conflict, and tables that lack a phone."""
     from ..rules.doctor import examine
     from ..rules.rule_set import rule_set_of
 
+    _check_phones()
     rule_set = rule_set_of(rules)
     findings = examine(rule_set)
     for finding in findings:
         click.echo(str(finding))
     if findings:
         count = "1 problem" if len(findings) == 1 else f"{len(findings)} problems"
-        raise InputError(f"{count} in {len(rule_set.entries)} rules; expected none")
+        raise InputError(f"{count} in {len(rule_set.entries)} rules")
     click.echo(f"{len(rule_set.entries)} rules, no problem")
+
+
+def _check_phones() -> None:
+    """Raise InputError for the first table that lacks a phone of the inventory."""
+    from ..languages import language_of
+    from ..ports.visemes import viseme_table
+    from ..rules.articulation import articulation
+
+    articulation()
+    viseme_table()
+    language_of("en")

@@ -105,7 +105,7 @@ def _token(file: Path | None) -> str | None:
 
 
 def _checked_origin(text: str) -> str:
-    """Return a site as browsers name it; raise InputError for what is none."""
+    """Return a site as browsers name it; raise InputError if the text is not a site."""
     from urllib.parse import urlsplit
 
     try:

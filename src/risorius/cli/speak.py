@@ -37,7 +37,7 @@ def speak(
     written here.
 
     With --audio a recorded voice is performed. INPUT or --transcript gives its words; if INPUT is a
-    .TextGrid, it gives their times as well. Without these the words are guessed.
+    .TextGrid, it gives their times as well. Without these the words are recognized.
     """
     spoken = Spoken(source, is_text, emotions, audio, transcript)
     settings = settings_from(chosen)

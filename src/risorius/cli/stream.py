@@ -7,7 +7,8 @@ from typing import Any
 
 import click
 
-from ..core.setting import Names, Stage
+from ..core.names import Names
+from ..core.setting import Stage
 from ..errors import InputError, UnreadError
 from .console import Console
 from .inputs import Spoken, input_options
@@ -22,7 +23,7 @@ from .options import (
 )
 from .typed import TypedText, face_of
 
-# What is sent are weights, as a file of them has them: it depends on what the curves and the skin depend on.
+# The stream sends weights, as an ARKit CSV has them: they depend on all that curves and skin depend on.
 _LIKE = Path("x.arkit.csv")
 _READ = (Stage.VOICE, Stage.PLAN, Stage.COMBINE, Stage.FRAMES, Stage.HEAD, Stage.SHAPE, Stage.SKIN)
 
@@ -103,7 +104,7 @@ def stream(
     options = Options(**{name: value for name, value in stream_options.items() if value is not None})
     check_options(protocol, options)
     if listen is None and patience != PATIENCE:
-        raise UnreadError(["patience"], "nothing waits for a greeting; expected --listen as well")
+        raise UnreadError(["patience"], "only --listen waits for a greeting; expected it as well")
     if to is not None and listen is not None:
         raise InputError("--to and --listen exclude each other; expected one of them")
     to = to or "127.0.0.1"

@@ -37,7 +37,7 @@ def studio(port: int | None, no_browser: bool, folder: Path | None) -> None:
 
 
 def leave() -> None:
-    """End the process at once, with exit code 0, after what it has put off to its end.
+    """End the process at once, with exit code 0, after the functions registered for its end.
 
     Threads may be at work in a compiler written in C++: as they stood when a process ended the usual way,
     which destroys what they work with, they would abort it.

@@ -21,7 +21,7 @@ _MOST, _PAUSE = 100, 0.1
 
 
 def face_of(settings: Settings, emotions: Displays) -> Live:
-    """Return a live face that feels emotions; raise RisoriusError for what it cannot."""
+    """Return a live face that feels emotions; raise RisoriusError for any that it cannot feel."""
     from ..live.session import Live
 
     face = Live(settings, arkit=True)
@@ -48,7 +48,7 @@ class TypedText:
         threading.Thread(target=self._read, daemon=True).start()
 
     def check(self) -> None:
-        """Raise what was wrong with the text; InputError if there was none."""
+        """Raise the error that reading the text gave; InputError if the text is empty."""
         if self._fault is not None:
             raise self._fault
         if self._is_empty:

@@ -12,7 +12,7 @@ from .arrays import Array
 from .parameters import BASES, INDEX, MUSCLES
 
 _BASES = tuple(dict.fromkeys(muscle.base for muscle in MUSCLES))
-# Of several units with the same muscles, the fit prefers the smallest sum of intensities.
+# For several units with the same muscles, the fit prefers the smallest sum of intensities.
 _RIDGE = 0.02
 
 

@@ -141,7 +141,7 @@ def _parameters_of(number: int, side: str) -> tuple[tuple[Parameter, float], ...
 
 
 def target_names() -> dict[str, str]:
-    """Return the names that a pose may set: action units with what they do, then muscles and the others."""
+    """Return the names that a pose may set: action units with their effects, then muscles and the others."""
     units = {f"AU{unit.number}": unit.name for unit in ACTION_UNITS.values()}
     return units | dict.fromkeys(BASES, "")
 
@@ -218,7 +218,7 @@ def _in_parameters(targets: tuple[tuple[str, float], ...]) -> Mapping[str, float
 
 
 def read_targets(targets: Mapping[str, float]) -> dict[str, float]:
-    """Return what `kept_units` does; for the strict reader: MisfitError names the target at fault."""
+    """Return the result of `kept_units`; for the strict reader: MisfitError names the target at fault."""
     try:
         return kept_units(targets)
     except ParameterError:

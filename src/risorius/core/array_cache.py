@@ -27,7 +27,7 @@ _TEMPORARY, _OLD = ".part", 86_400.0  # of a file that is written, and s after w
 def cached_arrays(
     name: str, inputs: Sequence[npt.ArrayLike], compute: Callable[[], tuple[AnyArray, ...]]
 ) -> tuple[AnyArray, ...]:
-    """Return what `compute` returns, from disk if it was computed before from the same `inputs`.
+    """Return the result of `compute`, from disk if it was computed before from the same `inputs`.
 
     `compute` must depend on `inputs` and the sources of the face and the renderer alone. A folder that cannot
     be read or written costs time, never the result. Arrays are in C order, as kernels are compiled for them.
@@ -77,7 +77,7 @@ def _write(path: Path, arrays: tuple[AnyArray, ...]) -> None:
 
 
 def _thin_out(folder: Path) -> None:
-    """Remove the files that were written longest ago, beyond `MOST_FILES`, and what killed processes left."""
+    """Remove the oldest files beyond `MOST_FILES`, and those that killed processes left unfinished."""
     for left in folder.glob(f"*{_TEMPORARY}"):
         if time.time() - left.stat().st_mtime > _OLD:
             left.unlink(missing_ok=True)

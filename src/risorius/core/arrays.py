@@ -1,6 +1,6 @@
 """The types of numpy arrays, one for each kind of number; docstrings give the shapes and the units.
 
-`Array` is what is computed with. The types of narrower numbers stand where memory or speed matters.
+`Array` is what is computed with. Narrower types are used if memory or speed matters.
 """
 
 from typing import Any

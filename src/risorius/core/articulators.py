@@ -1,4 +1,4 @@
-"""The lips' articulators: what speech moves, in millimetres that can be measured on any head.
+"""The lips' articulators, which speech moves, in millimetres that can be measured on any head.
 
 Unlike muscles they mean the same on every face. Each head has a fit (`lip_rig`) that turns them into muscles.
 """
@@ -14,6 +14,8 @@ from .parameters import INDEX, PARAMETERS, check_value
 
 JAW, APERTURE, WIDTH, PROTRUSION = "jaw_drop", "lip_aperture", "lip_width", "lip_protrusion"
 UPPER, CORNERS = "upper_lip", "lip_corners"
+SHORTEST_CLOSURE = 0.04
+"""Seconds: a shorter contact of the lips would be over before an eye could see it (DESIGN, section 3)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +70,7 @@ CONTROLS: Mapping[str, Mapping[str, float]] = MappingProxyType(
         "upper": {"levator_labii_superioris": 1.0},
         "round": {"orbicularis_oris_funneler": 1.0},
         # Not the risorius: beside a triangularis, which pulls in nearly the same direction, it does not widen
-        # the mouth, so that vowels were too narrow in sadness. The zygomatic major is no rival of a smile.
+        # the mouth, so that vowels were too narrow in sadness. The zygomatic major agrees with a smile.
         "spread": {"zygomatic_major": 1.0},
         "lift": {"zygomatic_major": 1.0},
         "lower": {"triangularis": 1.0},
@@ -95,7 +97,7 @@ def leader(parameter: str) -> str:
     return _LEADERS.get(parameter, parameter)
 
 
-# What follows two articulators is led by the first of them.
+# A parameter that follows two articulators is led by the first.
 _LEADERS = {
     p.name: a.name
     for a in reversed(list(ARTICULATORS.values()))

@@ -1,4 +1,4 @@
-"""The table of channels: names, priorities, default timing, and what feeds each.
+"""The table of channels: names, priorities, default timing, and sources.
 
 Each channel is one file of the package `channels` that ends with a line `register(…)`. The table is made from
 these lines, read as text: who reads or combines movements needs no builder.
@@ -18,7 +18,7 @@ from .registry import Registry, registrations
 
 @dataclass(frozen=True, slots=True)
 class ChannelTiming:
-    """How fast movements come and go unless they say so: seconds, and the name of an onset function."""
+    """The default timing of a channel's movements: seconds, and the name of an onset function."""
 
     onset: float
     offset: float
@@ -32,7 +32,7 @@ class ChannelTiming:
 
 @dataclass(frozen=True, slots=True)
 class ChannelDeclaration:
-    """What is known of a channel before anything is built.
+    """The declaration of a channel, known before anything is built.
 
     `priority`: of its movements unless they have their own; the highest wins. `rules`, `marks`: whether rules
     and the marks of a script feed it. `exclusive`: while a mark moves parameters here, no rule moves them.

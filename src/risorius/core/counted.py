@@ -45,7 +45,7 @@ class Counted:
     def normal(self, *key: Key, mean: float = 0.0, deviation: float = 1.0, limit: float = math.inf) -> float:
         """Return a normally distributed number, none further than `limit` deviations from the mean.
 
-        What lies further is moved to the limit. By the method of Box and Muller (1958).
+        Values beyond are moved to the limit. By the method of Box and Muller (1958).
         """
         one, two = self._pair(key)
         standard = math.sqrt(-2.0 * math.log(1.0 - one)) * math.cos(2.0 * math.pi * two)

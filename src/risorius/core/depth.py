@@ -1,6 +1,6 @@
-"""How deep data may be nested: one limit for TOML, JSON and XML.
+"""The limit of nested data, one for TOML, JSON and XML.
 
-Readers and what they call recurse as deep as the data, and Python allows a thousand calls in one another.
+Readers recurse as deep as the data, and Python allows a thousand nested calls.
 """
 
 from __future__ import annotations

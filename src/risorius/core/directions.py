@@ -1,4 +1,4 @@
-"""How to speak the words of a line: spans, breaks, tones and named places, by character."""
+"""Directions for speaking the words of a line: spans, breaks, tones and named places, by character."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .manner import PLAIN, Manner
 
 
 class Emphasis(StrEnum):
-    """How much a word is emphasised (SSML 1.1, section 3.2.2)."""
+    """The level of a word's emphasis (SSML 1.1, section 3.2.2)."""
 
     STRONG = "strong"
     MODERATE = "moderate"
@@ -24,7 +24,7 @@ FOCUSED = (Emphasis.STRONG, Emphasis.MODERATE)
 
 @dataclass(frozen=True, slots=True)
 class DirectedSpan:
-    """How to speak characters [start, end) of a line.
+    """Directions for speaking characters [start, end) of a line.
 
     `phones`: ARPAbet with stress digits, or IPA with stress marks, that replace the dictionary's; `seconds`:
     how long each lasts, empty if that is free. `voice`: another voice's name; `language`: the language (BCP
@@ -81,7 +81,7 @@ class Directions:
     answers: str = ""
 
     def moved(self, characters: int) -> Directions:
-        """Return the same directions for a text that begins so many characters later."""
+        """Return the same directions for a text that begins `characters` later."""
         return Directions(
             tuple(replace(s, start=s.start + characters, end=s.end + characters) for s in self.spans),
             tuple(replace(b, at=b.at + characters) for b in self.breaks),

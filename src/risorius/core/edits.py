@@ -110,8 +110,8 @@ Edit = Move | Stretch | Retarget | Add | Delete | Keys | ClearKeys
 def edited(score: Score, edit: Edit) -> Score:
     """Return the score after an edit, checked like any score.
 
-    Raises InputError or ParameterError, with the block's name, if there is no such block or the result cannot
-    be performed.
+    Raises InputError or ParameterError, with the block's name, if the block does not exist or the result
+    cannot be performed.
     """
     changed = _MAKE[type(edit)](score, edit)
     check_score(changed)
@@ -226,7 +226,7 @@ def _keys(score: Score, edit: Keys) -> Score:
 def _clear(score: Score, edit: ClearKeys) -> Score:
     rest = _undrawn(score, [p.name for p in parameters_named(edit.parameter)])
     if rest == score.manual:
-        raise InputError(f"nothing is drawn by hand for '{edit.parameter}'")
+        raise InputError(f"no curve is drawn by hand for '{edit.parameter}'")
     return replace(score, manual=rest)
 
 

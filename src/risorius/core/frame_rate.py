@@ -1,4 +1,4 @@
-"""Frame rates, exact: 24000/1001 is no float."""
+"""Exact frame rates: a float cannot hold 24000/1001."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from fractions import Fraction
 from ..errors import InputError
 
 MAX_FPS = 1000
-# What Fraction reads, but short: it works out 1e10000000 to the last digit.
+# The numbers that Fraction reads, but short ones only: it would compute 1e10000000 to the last digit.
 _RATE = re.compile(r"[+-]?(?:\d{1,12}(?:/\d{1,12}|(?:\.\d{0,12})?(?:[eE][+-]?\d{1,2})?)|\.\d{1,12})")
 
 

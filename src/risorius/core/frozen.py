@@ -1,4 +1,4 @@
-"""Mappings that nobody can change: tables that all runs share, and what is made of them."""
+"""Read-only mappings: tables that all runs share, and data derived from them."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ class FrozenDict(dict[K, V]):
     """A dict that cannot be changed. Unlike a `MappingProxyType` it can be pickled."""
 
     def _refuse(self, *_: object, **__: object) -> NoReturn:
-        raise TypeError("a FrozenDict cannot be changed; expected a dict made of it")
+        raise TypeError("a FrozenDict is read-only; copy it with dict(…)")
 
     __setitem__ = __delitem__ = _refuse
     __ior__ = clear = pop = popitem = setdefault = update = _refuse

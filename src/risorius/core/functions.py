@@ -24,7 +24,7 @@ CORNERED = frozenset({"exponential", "linear"})
 
 
 def known_function(name: str) -> str:
-    """Return the name of an onset function; raise ParameterError, with the nearest, if there is none."""
+    """Return the name of an onset function; raise ParameterError, with the nearest, for an unknown one."""
     ONSET_FUNCTIONS.get(name)
     return name
 

@@ -1,4 +1,4 @@
-"""How Python's garbage collection is kept from taking a tenth of a command that lives for seconds."""
+"""Fewer garbage collections: by default they take a tenth of a command that lives for seconds."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ _YOUNG = 10_000
 
 
 def collect_seldom() -> None:
-    """Look for garbage less often: what is loaded and planned lives on, and little refers to itself."""
+    """Collect garbage less often: loaded and planned objects live on, and few refer to themselves."""
     gc.set_threshold(_YOUNG)
 
 

@@ -1,4 +1,4 @@
-"""What a dataclass's types say to the strict reader (`schema`), and what they are called in its errors."""
+"""Type hints of dataclasses for the strict reader (`schema`), and their names in its errors."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Range:
 
 @dataclass(frozen=True, slots=True)
 class Then:
-    """What is done with a value that fits its type: it becomes what `convert` returns.
+    """Marks a type hint: a value that fits the type is replaced by what `convert` returns for it.
 
     `convert` may raise a RisoriusError, or MisfitError to name a part of the value. `of`: the type that the
     value has before, if it is another one.
@@ -52,7 +52,7 @@ class ChooseType:
 
 
 def shown(value: object, syntax: Syntax) -> str:
-    """Return a value as it is written, or what it is if that is long."""
+    """Return a value as it is written, or its type if that is long."""
     if isinstance(value, Mapping):
         return _name_of(dict, syntax)
     if isinstance(value, list | tuple):
@@ -72,7 +72,7 @@ _NAMES: Mapping[Any, str] = {
 
 
 def describe(hint: Any, syntax: Syntax) -> str:
-    """Return in words what a type takes."""
+    """Return the values that a type takes, in words."""
     origin, arguments = typing.get_origin(hint), typing.get_args(hint)
     if origin is Annotated:
         limits = [rule for rule in arguments[1:] if isinstance(rule, Range)]

@@ -18,7 +18,7 @@ from .source_text import SourceText, Syntax, read_file
 JsonObject = dict[str, Any]
 T = TypeVar("T")
 MAX_BYTES = 200_000_000
-# Escapes of two halves of a character, or of one (the group); a backslash before another one is no escape.
+# Escapes of two surrogates, or of a lone one (the group); an escaped backslash starts no escape.
 _HALVES = re.compile(
     r"(?<!\\)(?:\\\\)*(?:\\u[dD][89abAB][0-9a-fA-F]{2}\\u[dD][c-fC-F][0-9a-fA-F]{2}|(\\u[dD][89a-fA-F][0-9a-fA-F]{2}))"
 )

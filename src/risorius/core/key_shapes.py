@@ -11,14 +11,14 @@ from .arrays import Array
 from .time import TICK
 
 Handle = tuple[float, float]
-"""Where a handle ends: seconds and value, counted from its key."""
+"""The end of a handle: seconds and value, relative to its key."""
 _STEP = 1.0 / 240.0  # s between the points of a curved stretch, at most
 _MOST = 400  # points of one
 
 
 @dataclass(frozen=True, slots=True)
 class KeyShape:
-    """How a drawn curve passes one of its keys: None is a straight line towards the neighbour.
+    """The shape of a drawn curve at one of its keys; None is a straight line towards the neighbour.
 
     `before`, `after`: the handles at the key's left and right; a handle that reaches beyond the neighbour in
     time is shortened to it. `hold`: the key's value stays until the next key.

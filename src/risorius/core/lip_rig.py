@@ -74,11 +74,11 @@ _ROUNDS = 4
 ROUNDED = 1.0
 """mm over which a control begins, so that it has no corner where the next one takes over."""
 PARTED = 2.0
-"""mm of gap over which the lips' own opening, or their contact, takes over from what the jaw opens."""
+"""mm of gap over which the lips' own opening, or their contact, takes over from the jaw's opening."""
 SEAL_ROUNDED = 0.2
-"""Of a seal: how near it comes to what a wide gap allows before it turns."""
+"""Width, in units of the seal, over which the seal is rounded off below the most that a wide gap allows."""
 RAISED = 0.25
-"""How far the upper lip's border, which the fit measures, rises for each mm that the lips open beyond the
+"""The rise of the upper lip's border, which the fit measures, for each mm that the lips open beyond the
 chin's drop. Its inner edge then rises by a third, and the lower lip has the rest (facts: lips-motion, 9)."""
 RAISER = "levator_labii_superioris"
 _LEAST_EFFECT = 0.6
@@ -87,7 +87,7 @@ _Targets = tuple[tuple[str, float], ...]
 Powers = Sequence[Array]
 """The factors (n,), or () if all are equal, of each power of a control, from 0 to `DEGREE`."""
 _Equation = tuple[Powers, Array]
-"""What is solved for a control: its powers, and what they shall add up to without the first, (n,)."""
+"""The equation of a control: its powers, and the sum wanted of them without the first, (n,)."""
 _MOST_KNOWN = 4096
 """Targets whose blended form a rig remembers: phones of one class and stress have the same in all lines."""
 _HELPING = 0.95 * DEFAULT_THRESHOLD
@@ -254,7 +254,7 @@ def rig_of_fit(terms: Int64Array, coefficients: Array) -> LipRig:
     """Return the rig of a fit, whose variables are those of `FITTED`: what each raises beside its own."""
     names, rows = list(CONTROLS), [tuple(sorted(term)) for term in terms.tolist()]
     upper, opening = names.index("upper"), names.index("open")
-    # Of a fit's `upper` is missing what its `open` raises.
+    # A fit's `upper` lacks the part that its `open` raises.
     instead = {upper: ((upper, 1.0), (opening, -FITTED["open"][RAISER]))}
     number = {row: k for k, row in enumerate(rows)}
     own = np.zeros_like(coefficients)
@@ -266,7 +266,7 @@ def rig_of_fit(terms: Int64Array, coefficients: Array) -> LipRig:
 
 
 def seal_of(closed: Array, left: Array) -> Array:
-    """Return the seal that closes so many mm of a gap and leaves so many mm, both 0 or more.
+    """Return the seal that closes `closed` mm of a gap and leaves `left` mm, both 0 or more.
 
     It takes `SEAL_MM` mm by its whole way, or more from a gap of which it then leaves only what `WIDEST_MM`
     allows; without a corner where one takes over from the other.
@@ -278,7 +278,7 @@ def seal_of(closed: Array, left: Array) -> Array:
 
 
 def gap_left(gap: Array, seal: Array) -> Array:
-    """Return the mm that a seal leaves of a gap of so many mm, as the face shows it."""
+    """Return the mm that a seal leaves of a `gap` in mm, as the face shows it."""
     return np.maximum(np.minimum(gap - SEAL_MM * seal, WIDEST_MM * (1.0 - seal)), 0.0)
 
 
@@ -292,7 +292,7 @@ class _Sum:
 
 
 def _value(polynomial: _Sum | float, controls: Mapping[str, Array]) -> Array | float:
-    """Return what a polynomial is for values of its controls, (n,) each."""
+    """Return the values of a polynomial for values of its controls, (n,) each."""
     if isinstance(polynomial, float):
         return polynomial
     value = controls[polynomial.control] * _value(polynomial.inner, controls)
@@ -331,7 +331,7 @@ def _nested(terms: Mapping[tuple[str, ...], float]) -> _Sum | float:
 
 
 def _solve(powers: Powers, wanted: Array) -> Array:
-    """Return x in 0..1 with Σ powers[k] x^k = wanted over k >= 1, or the nearest end if there is none.
+    """Return x in 0..1 with Σ powers[k] x^k = wanted over k >= 1, or the nearest end without a solution.
 
     Newton's method within a bracket, because a muscle beside a stronger one hardly moves anything at first.
     The solution for `wanted` 0 is exactly 0.
@@ -366,7 +366,7 @@ def _newton(wanted: Array, first: Array, second: Array, third: Array) -> Array:
     """Return the solutions of `_solve` for `wanted` (n,), none of them 0."""
     if not len(wanted):
         return wanted
-    # What falls is solved upside down.
+    # Decreasing polynomials are solved with their signs reversed.
     turned = np.where(first + second + third < 0.0, -1.0, 1.0)
     wanted, first, second, third = (part * turned for part in (wanted, first, second, third))
     twice, thrice = 2.0 * second, 3.0 * third

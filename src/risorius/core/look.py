@@ -1,4 +1,4 @@
-"""How a performance is drawn: the choices by name, and the parsers of their texts."""
+"""The look of a performance: the choices by name, and the parsers of their texts."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def parse_camera(text: str) -> tuple[str, float]:
 
 
 def parse_colour(text: str) -> ByteColour:
-    """Return a background's colour from what CSS writes, such as "#203040" or "white"; raise InputError."""
+    """Return the colour of a CSS text such as "#203040" or "white"; raise InputError for any other text."""
     from PIL import ImageColor
 
     try:

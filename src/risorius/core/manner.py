@@ -1,4 +1,4 @@
-"""How a stretch of speech differs from the usual manner of its voice."""
+"""Changes of a stretch of speech from the usual manner of its voice."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ CurveKeys = tuple[tuple[float, float], ...]
 
 @dataclass(frozen=True, slots=True)
 class Cause:
-    """Why a movement exists: the rule, what triggered it (phone, word, mark), and its place in the source."""
+    """The cause of a movement: its rule, its trigger (phone, word, mark), and its place in the source."""
 
     rule: str = ""
     trigger: str = ""
@@ -37,7 +37,7 @@ class Movement:
     Times in seconds, read to the nearest tick. `targets` maps action units (`AU12.left`) and parameters to
     values; `parameters` has all as parameters. `priority` and
     `release_priority` (in the offset phase): None for the priority of the channel. `on_top`: a muscle adds to
-    what the others leave of it, x + (1 - x)·F, where else the larger of both counts.
+    what the others leave of it, x + (1 - x)·F, instead of the larger of both.
     """
 
     channel: str
@@ -78,7 +78,7 @@ def fitted(onset: float, offset: float, length: float) -> tuple[float, float]:
 
 @dataclass(frozen=True, slots=True)
 class Dominance:
-    """How strongly a lip segment holds one parameter (Cohen and Massaro; facts: science/01, section 1.1).
+    """The dominance of a lip segment over one parameter (Cohen and Massaro; facts: science/01, section 1.1).
 
     `magnitude`: in comparison with the neighbours (1 for a vowel); `before`, `after`: time constants in
     seconds of the fall on either side of the plateau; `exponent`: of the fall; `plateau`: the share of the

@@ -55,7 +55,7 @@ def _array(archive: zipfile.ZipFile, member: zipfile.ZipInfo) -> AnyArray:
         shape, dtype, start = _header(file)
         # A header may promise petabytes, which numpy would make room for.
         if start + math.prod(shape) * dtype.itemsize != member.file_size:
-            raise ValueError(f"'{member.filename}' has not as many numbers as its header says")
+            raise ValueError(f"'{member.filename}' does not hold as many numbers as its header says")
     with archive.open(member) as file:
         return np.asarray(np.lib.format.read_array(file, allow_pickle=False))
 

@@ -16,7 +16,7 @@ from .arrays import Array
 
 
 class Kind(StrEnum):
-    """What a parameter moves, which determines how channels are combined in it."""
+    """The part of the face that a parameter moves; it determines how channels are combined in it."""
 
     MUSCLE = "muscle"
     CONTACT = "contact"

@@ -1,4 +1,4 @@
-"""What stands at a path that a user wrote, whatever it is: too long and impossible names are no files."""
+"""Look up paths that a user wrote; names that are too long or impossible count as missing files."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ..errors import InputError
 
 
 def path_of(name: object) -> Path:
-    """Return the path that a user named; raise InputError for what names no file."""
+    """Return the path that a user named; raise InputError if it cannot name a file."""
     if isinstance(name, str | PathLike):
         return Path(name)
     raise InputError(f"{type(name).__name__} does not name a file; expected a text or a path")

@@ -20,7 +20,7 @@ MANY_FRAMES = 54_000
 
 
 class CurvesByName(dict[str, Array]):
-    """Curves by the names of their parameters; ParameterError, with the nearest, for a name that is none."""
+    """Curves by the names of their parameters; ParameterError, with the nearest, for an unknown name."""
 
     def __missing__(self, name: str) -> Array:
         raise ParameterError(unknown("parameter", str(name), NAMES))

@@ -1,4 +1,4 @@
-"""Where a value stands in a text of TOML or JSON: looked up only when something is wrong with it.
+"""Find the position of a value in a text of TOML or JSON, once something is wrong with it.
 
 The texts have been parsed before, so that the scanners below need not judge their syntax.
 """
@@ -16,7 +16,7 @@ KeyPath = tuple[str | int, ...]
 PathAndStart = tuple[KeyPath, int]
 """A path, and where in the text its key, item or header begins."""
 Scan = Generator[PathAndStart, None, int]
-"""Yields what a piece of text holds, and returns where it ends."""
+"""Yields the contents of a piece of text, and returns where it ends."""
 
 _BLANK = re.compile(r"[ \t\r\n]*")
 _BLANK_OR_COMMENT = re.compile(r"(?:[ \t\r\n]|#[^\n]*)*")
@@ -43,7 +43,7 @@ def json_position(text: str, path: KeyPath) -> int | None:
 
 
 def _json_entries(text: str, start: int) -> Iterator[tuple[str | int, int, int]]:
-    """Yield the keys or numbers of what is in an object or a list, where each begins, and where its value."""
+    """Yield each key or index of an object or a list, where it begins, and where its value begins."""
     opening, at = text[start], _after_blanks(text, start + 1)
     if opening not in "{[" or text[at] in "}]":
         return
@@ -113,7 +113,7 @@ def _header(parts: KeyPath, counts: dict[KeyPath, int], *, many: bool) -> KeyPat
 
 
 def _pair(text: str, at: int, table: KeyPath) -> Scan:
-    """Yield a key and what its value holds."""
+    """Yield a key and the contents of its value."""
     key = _TOML_KEY.match(text, at)
     assert key is not None
     path = (*table, *_parts(key[0]))
@@ -122,7 +122,7 @@ def _pair(text: str, at: int, table: KeyPath) -> Scan:
 
 
 def _value(text: str, at: int, path: KeyPath) -> Scan:
-    """Yield what a value holds if it is an array or an inline table."""
+    """Yield the contents of a value if it is an array or an inline table."""
     if text[at] in "[{":
         return (yield from _held(text, at, path))
     match = _TOML_STRING.match(text, at) or _TOML_PLAIN.match(text, at)

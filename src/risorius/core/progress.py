@@ -1,11 +1,11 @@
-"""How long work says how far it is."""
+"""Progress reports of long work."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
 Progress = Callable[..., None]
-"""Called with a stage's name, and how many of how many frames are done where that is known."""
+"""Called with a stage's name, and how many of how many frames are done if that is known."""
 
 
 def quiet(stage: str, done: int = 0, total: int = 0) -> None:

@@ -35,7 +35,7 @@ class Registry(Generic[T]):
         return add
 
     def get(self, name: str) -> T:
-        """Return the plug-in called `name`; raise ParameterError naming the nearest one if there is none."""
+        """Return the plug-in called `name`; raise ParameterError, with the nearest one, if it is unknown."""
         try:
             return self._entries[name]
         except KeyError:

@@ -5,7 +5,7 @@ InputError that names file, line, column and key. Understood types: str, bool, i
 strings, `tuple[T, ...]`, `tuple[A, B]`, `Numbers` (long lists of them), `Mapping[str, T]` (free keys, or the
 keys of a Literal), dataclasses, `T | None`, `A | B` for plain types, `object` (anything), and these with
 `Annotated`: `Range(low, high)`, `Then(function)` and `ChooseType(function)`. A field is read from the key of
-its own name, or from `field(metadata={"key": …})`. What a dataclass or a function raises is given its place.
+its own name, or from `field(metadata={"key": …})`. Errors of dataclasses and functions get their place.
 """
 
 from __future__ import annotations
@@ -29,12 +29,12 @@ from .source_text import SourceText, Syntax
 
 T = TypeVar("T")
 Converter = Callable[[object], object]
-"""Turns a value as it was parsed into what a type says; raises MisfitError."""
+"""Converts a parsed value to a type; raises MisfitError."""
 _LONGEST_KEY = 60  # characters of a key that are shown
 
 
 class MisfitError(Exception):
-    """What is wrong with a value, or with the part of it at `path`; `build` makes it a RisoriusError.
+    """A fault of a value, or of its part at `path`; `build` makes it a RisoriusError.
 
     `message` is a text, or a function that makes it of the value's dotted path and the file's syntax.
     """
@@ -102,7 +102,7 @@ def dotted(path: KeyPath) -> str:
 
 
 def converter(hint: Any) -> Converter:
-    """Return what reads values of a type; made once for each type."""
+    """Return the converter for values of a type; made once for each type."""
     return _made(hint)
 
 
@@ -177,7 +177,7 @@ def _continued(convert: Converter, then: Callable[[Any], object]) -> Converter:
 
 
 def _refused(error: RisoriusError) -> Exception:
-    """Return what to raise for an error of a dataclass or a function: as it is if it knows its place."""
+    """Return the error to raise for one of a dataclass or a function: the same if it has a place."""
     return error if error.place is not None else MisfitError(error.message, kind=type(error))
 
 
@@ -305,7 +305,7 @@ def _one_of(hint: Any) -> Converter:
     allowed = {value: value for value in typing.get_args(hint)} or {str(member): member for member in hint}
 
     def read(value: object) -> object:
-        # A flag is no choice, though Python takes True for 1.
+        # A flag is not a choice, although True == 1 in Python.
         if type(value) not in (str, int) or value not in allowed:
             raise _wrong(value, hint)
         return allowed[value]

@@ -8,6 +8,7 @@ from typing import Annotated
 
 from ..errors import InputError
 from .articulators import check_lip_target
+from .choices import CONFLICT, CONTACT, LIPS, ROUNDING
 from .functions import FunctionName
 from .hints import Range
 from .movement import (
@@ -29,7 +30,7 @@ MOST_ROUNDING = 0.1
 
 @dataclass(frozen=True, slots=True)
 class BlendSettings:
-    """How movements are combined.
+    """The settings by which movements are combined.
 
     `activation_threshold`, `min_onset` and `min_offset` override the parameter table for all muscles, and
     `onset_function` overrides the movements' own, unless None. `contact`: whether the lips' contact goals
@@ -37,14 +38,14 @@ class BlendSettings:
     0 keeps the curves of paper A.
     """
 
-    conflict: str = "inhibit"
+    conflict: str = CONFLICT.score
     activation_threshold: Share | None = None
     min_onset: NotNegative | None = None
     min_offset: NotNegative | None = None
     onset_function: FunctionName | None = None
-    contact: bool = True
-    lips: str = "effort"
-    rounding: Annotated[float, Range(0.0, MOST_ROUNDING)] = 0.0
+    contact: bool = CONTACT.score
+    lips: str = LIPS.score
+    rounding: Annotated[float, Range(0.0, MOST_ROUNDING)] = ROUNDING.score
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""How a setting is declared: its range or choices, its option, who reads it, and its words.
+"""Declarations of settings: range or choices, option, the stage that reads it, and words.
 
 A setting is a field of a frozen dataclass, made by `setting`. What a command line, a page and a manual need
 to know of it is derived from the field (`rows`). Nothing here loads numpy: the command line's help waits for
@@ -14,13 +14,13 @@ from dataclasses import MISSING, dataclass, field, fields, is_dataclass
 from enum import StrEnum
 from fractions import Fraction
 from functools import cache
-from importlib import import_module
 from numbers import Integral, Real
 from pathlib import Path
 from typing import Any
 
 from ..errors import InputError, unknown
 from .frozen import FrozenDict
+from .names import Names, spelled, value_at
 
 _KEY = "setting"
 _MANY = 1e9  # a limit from which on none is told
@@ -53,7 +53,7 @@ class Group(StrEnum):
 
 
 class ValueKind(StrEnum):
-    """What a setting's value is."""
+    """The kind of a setting's value."""
 
     TEXT = "text"
     FILE = "file"
@@ -96,59 +96,13 @@ SWITCHED = {"on": True, "off": False}
 
 
 @dataclass(frozen=True, slots=True)
-class Choice:
-    """A name that a setting may have, with a line on it, and the number for which it stands, if for one."""
-
-    name: str
-    description: str = ""
-    number: float = 0.0
-
-
-@dataclass(frozen=True, slots=True)
-class Names:
-    """The names that a setting may have: `known` here, or found at `path` ("package.module:attribute").
-
-    At the path stands a registry, a mapping, a sequence, or a function without arguments that returns one. It
-    is imported when the names are asked for: most commands need none of them.
-    """
-
-    known: tuple[str, ...] = ()
-    path: str = ""
-
-    def choices(self) -> tuple[Choice, ...]:
-        """Return all names with what is said of them."""
-        if not self.path:
-            return tuple(map(Choice, self.known))
-        table = _at(self.path)
-        table = table() if callable(table) else table
-        return tuple(_choice(name, table) for name in table)
-
-
-def _at(path: str) -> Any:
-    """Return what stands at a path such as "core.look:COMPLEXIONS" in this package."""
-    module, _, attribute = path.partition(":")
-    return getattr(import_module(f"..{module}", __package__), attribute)
-
-
-def _choice(name: str, table: Any) -> Choice:
-    """Return a name with the description of what it stands for, or the first line of its documentation."""
-    entry = table[name] if isinstance(table, Mapping) else table.get(name) if hasattr(table, "get") else None
-    if isinstance(entry, float):
-        return Choice(name, number=entry)
-    if isinstance(entry, str):
-        return Choice(name, entry)
-    words = getattr(entry, "description", None) or (entry.__doc__ if callable(entry) else None) or ""
-    return Choice(name, words.strip().split("\n")[0])
-
-
-@dataclass(frozen=True, slots=True)
 class Setting:
-    """What the table says of a setting beside its type and its default.
+    """A setting's entry in the table, beside its type and its default.
 
     `label`: its name on a page. `flag`: its option, None if the command line has none; `metavar`: what stands
     for its value in help. `low`, `high`: its range, also of each of several amounts; `step` of a control.
     `names`: what it may be called, `what` errors call one of them; `find`, the path of a function, raises for
-    a name that is not known, where files may be named as well. `usual`: what None comes to where a script
+    a name that is not known, where files may be named as well. `usual`: what None comes to if a script
     is planned; `unset`: what None means, in words. `read`, a function or its path, makes a value of a text;
     `fills` names the settings that such a text gives if they are more than one. `on_page`: whether the studio
     shows it.
@@ -186,6 +140,7 @@ def setting(
     high: float | None = None,
     step: float | None = None,
     names: Iterable[str] | str | None = None,
+    registry: str = "",
     what: str = "",
     find: str = "",
     usual: object = None,
@@ -194,11 +149,16 @@ def setting(
     fills: tuple[str, ...] = (),
     on_page: bool = True,
 ) -> Any:
-    """Return a dataclass field with its entry in the table (`Setting`); `names` is a sequence or a path."""
-    known = None if names is None else Names(path=names) if isinstance(names, str) else Names(tuple(names))
+    """Return a dataclass field with its entry in the table (`Setting`).
+
+    `names` is a sequence or a path; `registry` the path at which a sequence of names is described. In `help`
+    {names}, {low} and {high} stand for the names and the range.
+    """
+    known = _names(names, registry)
     limits = (low, high, step)
+    words = spelled(names or ()) if known is not None and known.known else ""
     entry = Setting(
-        help,
+        help.format(names=words, low=_number(low), high=_number(high)),
         stage,
         group,
         label,
@@ -217,6 +177,16 @@ def setting(
     if isinstance(default, dict):
         return field(default_factory=dict, metadata={_KEY: entry})
     return field(default=default, metadata={_KEY: entry})
+
+
+def _names(names: Iterable[str] | str | None, registry: str) -> Names | None:
+    if names is None:
+        return None
+    return Names(path=names) if isinstance(names, str) else Names(tuple(names), registry)
+
+
+def _number(number: float | None) -> str:
+    return "" if number is None else f"{number:g}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -240,7 +210,7 @@ class Row:
 
     @property
     def called(self) -> str:
-        """What errors call it: a name that fits its option as well as its field."""
+        """Its name in errors, which fits its option as well as its field."""
         return self.entry.what or self.name.replace("_", " ")
 
     @property
@@ -252,12 +222,12 @@ class Row:
 
     @property
     def usual(self) -> Any:
-        """Its value where nobody chooses it."""
+        """Its value if nobody chooses it."""
         return self.entry.usual if self.default is None else self.default
 
     @property
     def is_flag(self) -> bool:
-        """Whether the option has no value: it says the opposite of what is usual."""
+        """Whether the option has no value, and sets the opposite of the default."""
         return self.kind is ValueKind.SWITCH and bool(self.entry.flag)
 
     @property
@@ -266,13 +236,13 @@ class Row:
         return self.kind is ValueKind.AMOUNTS or (self.kind is ValueKind.SEVERAL and self.entry.read is None)
 
     def read(self, text: str) -> Any:
-        """Return the value that a text stands for, one of several where it has several.
+        """Return the value that a text stands for, one of several if it has several.
 
         Raises InputError if the text does not fit.
         """
         read = self.entry.read
         if read is not None:
-            return _at(read)(text) if isinstance(read, str) else read(text)
+            return value_at(read)(text) if isinstance(read, str) else read(text)
         if self.kind in _NUMBERS:
             make, what = _NUMBERS[self.kind]
             try:
@@ -286,7 +256,7 @@ class Row:
         return Path(text) if self.kind is ValueKind.FILE else text
 
     def text(self, value: Any) -> str:
-        """Return a value as `read` takes it; for None what that means, in words."""
+        """Return a value as a text that `read` takes; for None its meaning, in words."""
         if value is None:
             return self.entry.unset
         if self.kind is ValueKind.SWITCH:
@@ -324,7 +294,7 @@ def _kind(hint: Any) -> tuple[ValueKind, bool]:
 
 
 def later(name: str) -> None:
-    """Accept any name: those who read the setting look it up."""
+    """Accept any name: the readers of the setting look it up."""
 
 
 def check(settings: Any, spec: str = "") -> None:
@@ -364,11 +334,11 @@ def _check_names(row: Row, value: Any) -> None:
     names = row.entry.names
     if names is None or row.kind not in _NAMED or value == row.default:
         return
-    find = _at(row.entry.find) if row.entry.find else None
+    find = value_at(row.entry.find) if row.entry.find else None
     for name in (value,) if row.kind is ValueKind.TEXT else value:
         if find is not None:
             find(name)
-        elif name not in (known := names.known or [choice.name for choice in names.choices()]):
+        elif name not in names.known and name not in (known := [choice.name for choice in names.choices()]):
             raise InputError(unknown(row.called, name, known))
 
 

@@ -11,7 +11,7 @@ from .positions import KeyPath, json_position, toml_position
 
 
 class Syntax(StrEnum):
-    """How data is written."""
+    """The syntax of data in a text."""
 
     TOML = "TOML"
     JSON = "JSON"

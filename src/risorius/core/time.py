@@ -31,7 +31,7 @@ def ticks_of(seconds: float) -> Ticks:
 
 
 def seconds_of(ticks: Ticks) -> float:
-    """Return a time in seconds, the float nearest to so many ticks."""
+    """Return the time of a number of ticks in seconds, as the nearest float."""
     return ticks / TICKS_PER_SECOND
 
 
@@ -49,7 +49,7 @@ def put_on_ticks(event: object, *names: str) -> None:
     """Move the times of a frozen dataclass, its fields `names` in seconds, to the nearest ticks."""
     for name in names:
         seconds = getattr(event, name)
-        # What `on_tick` returns, in a third of its time: every phone and movement passes here.
+        # The same value as from `on_tick`, in a third of its time: every phone and movement passes here.
         try:
             tick = round(seconds * TICKS_PER_SECOND) / TICKS_PER_SECOND
         except (OverflowError, ValueError):  # infinite, or not a number

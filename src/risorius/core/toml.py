@@ -62,7 +62,7 @@ def parse(cls: type[T], text: str, name: str) -> T:
 
 
 def read_tables(text: str, name: str) -> dict[str, Any]:
-    """Return what TOML text says; raise InputError, with its place in file `name`, if it is not TOML."""
+    """Return the data of a TOML text; raise InputError, with its place in file `name`, if it is not TOML."""
     _check_keys(text, name)
     try:
         tables = tomllib.loads(text)

@@ -21,25 +21,25 @@ Seconds = Annotated[float, Range(0.0, MAX_SECONDS)]
 """A time in a performance, or a duration."""
 
 RiseSeconds = Annotated[float, Range(0.0, 10.0)]
-"""How long a movement rises or falls, or waits before it begins."""
+"""The time for which a movement rises or falls, or waits before it begins."""
 
 HabitSeconds = Annotated[float, Range(0.0, 60.0)]
-"""How long one action of a habit lasts, or the pause after it: a fixation, a posture, a look away."""
+"""The duration of one action of a habit, or of the pause after it: a fixation, a posture, a look away."""
 
 MarkSeconds = Annotated[float, Range(0.01, 60.0)]
-"""How long a mark of paper A's markup lasts if it does not say."""
+"""The duration of a mark of paper A's markup without its own."""
 
 BehaviourSeconds = Annotated[float, Range(0.1, 60.0)]
-"""How long a behaviour of BML lasts if it does not say."""
+"""The duration of a behaviour of BML without its own."""
 
 ContactSeconds = Annotated[float, Range(0.001, 0.5)]
-"""How fast lips change about a contact."""
+"""The time in which the lips change about a contact."""
 
 GapMillimetres = Annotated[float, Range(0.01, 20.0)]
 """A gap between the lips."""
 
 DeviationDegrees = Annotated[float, Range(0.0, 60.0)]
-"""How far the head or the eyes leave their rest."""
+"""The excursion of the head or the eyes from their rest."""
 
 
 def clock(seconds: float) -> str:

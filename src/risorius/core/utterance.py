@@ -47,7 +47,7 @@ class Question(StrEnum):
 
 
 class Ending(StrEnum):
-    """How a phrase ends.
+    """The end of a phrase.
 
     PAUSE: in a silence without punctuation. CLAUSE: without a silence. OPEN: with the text, without
     punctuation.
@@ -71,7 +71,7 @@ class Phone:
 
     `stress`: 2 primary, 1 secondary, 0 none for vowels; -1 for consonants and silence. `word`: index of its
     word, -1 for silence. `tone`: the pitch that tells the word apart, in letters of the IPA ("˥˩"), on
-    a vowel; "" where there is none or it is not known. Stops start where the articulators close. Seconds.
+    a vowel; "" if it has none or its tone is unknown. Stops start where the articulators close. Seconds.
     """
 
     symbol: str
@@ -228,7 +228,7 @@ class Utterance:
         check_phrases(self.phrases, len(self.words))
 
     def __repr__(self) -> str:
-        """Return one line: how long it is, and what is said."""
+        """Return one line: its duration and its text."""
         words, said = len(self.words), textwrap.shorten(self.text, 60)
         return f"<Utterance of {self.duration:.2f} s, {words} words, {len(self.phones)} phones, {said!r}>"
 
@@ -246,7 +246,7 @@ class Utterance:
         )
 
     def pause_after(self, word: int) -> Pause | None:
-        """Return the pause that follows a word, by its index; None if there is none."""
+        """Return the pause that follows a word, by its index; None if no pause follows."""
         end = self.words[word].end
         index = bisect_left(self.pauses, end, key=lambda pause: pause.start)
         following = self.pauses[index : index + 1]

@@ -9,7 +9,7 @@ from .utterance import Utterance, Word
 
 
 def written_words(utterance: Utterance) -> list[str]:
-    """Return the words with the marks that follow each in the text, as they are where they are not found."""
+    """Return the words with the marks that follow each in the text, as they are if they are not found."""
     starts = list(_starts(utterance.text, utterance.words))
     if len(starts) < len(utterance.words):
         return [word.text for word in utterance.words]

@@ -1,10 +1,10 @@
-"""What acts on the skin at given values of the muscles: their own activations, and those of joint fields.
+"""Activations that act on the skin at given values of the muscles: their own, and those of joint fields.
 
 Muscles that push one lip from two sides hold each other: one at activation a whose partner is at b keeps
 a (1 − y a b), with y of `YIELDS`. Each alone is exact, and more activation never moves the skin less, because
 no muscle can lose more than a half.
 
-Two muscles can also move together what neither moves alone: where the muscles that draw the corner of the
+Two muscles can also move together what neither moves alone: if the muscles that draw the corner of the
 mouth back and down hold each other, it goes in. Such a joint field acts by the share p / (p + HALF²) (1 − p²)
 of the product p of both activations: it needs both, is half where each is HALF, and ends where both contract
 fully: there their own fields are the whole.
@@ -39,7 +39,7 @@ class Yields(NamedTuple):
 
 
 def yields_of(shares: Mapping[tuple[str, str], float]) -> Yields:
-    """Return what each muscle of each pair loses to the other; one without sides, half to either of them."""
+    """Return the loss of each muscle of each pair to the other; one without sides, half to either of them."""
     rows = []
     for pair, share in shares.items():
         for own, other in (pair, pair[::-1]):

@@ -1,4 +1,4 @@
-"""How age changes the skin's wrinkles: paper B's coefficient of compression as a function of age."""
+"""Wrinkles of the skin by age: paper B's coefficient of compression as a function of age."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _STATIC = (0.0, 0.0, 0.0, 0.2, 0.6, 1.0)
 
 
 class SkinAge(NamedTuple):
-    """How skin of an age folds.
+    """The folding of skin at an age.
 
     `give`: the share of its length by which it shortens before it folds; `gain`: a factor on the height of
     folds; `static`: the depth of creases at rest, as a share 0..1 of their greatest depth.

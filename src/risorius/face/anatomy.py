@@ -35,7 +35,7 @@ NEGLIGIBLE = 0.002
 
 @dataclass(frozen=True, slots=True)
 class Pull:
-    """How strongly one muscle pulls: weights (k, directions) at `places` (k, 4), mm and the jaw's share."""
+    """The strength of one muscle: weights (k, directions) at `places` (k, 4), mm and the jaw's share."""
 
     places: Array
     weights: Array

@@ -12,7 +12,7 @@ from .eyes import pitch_and_yaw
 from .frame import FaceFrame
 
 DIRECT = np.array([name.startswith("eyeLook") or name == "tongueOut" for name in SHAPES])
-"""Which of the shapes (52,) follow directly from a frame."""
+"""Mask (52,) of the shapes that follow directly from a frame."""
 
 _PITCH, _YAW = (PARAMETERS[PARAMETER[name]].high for name in ("gaze_pitch", "gaze_yaw"))
 _SIDES = (("Left", 1.0), ("Right", -1.0))

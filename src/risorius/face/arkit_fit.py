@@ -62,7 +62,7 @@ class ArkitTrack:
     worst: Array
 
     def __repr__(self) -> str:
-        """Return one line: how many frames, and what the weights leave over."""
+        """Return one line: the number of frames, and the distances that the weights leave."""
         rms, worst = self.residual
         return f"<ArkitTrack of {len(self.weights)} frames, {rms:.2f} mm off, at worst {worst:.1f} mm>"
 
@@ -241,7 +241,7 @@ class _Solution(NamedTuple):
 
 
 class _Normal(NamedTuple):
-    """Normal equations of which some shapes are `free` (52,): these shapes' (f, f), and what others add."""
+    """Normal equations with some shapes `free` (52,): the free shapes' (f, f), and the part of the others."""
 
     free: BoolArray
     normal: Array

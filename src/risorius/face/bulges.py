@@ -69,7 +69,7 @@ class Bulges:
 
 @lru_cache(maxsize=4)
 def _swelling(head: Head) -> tuple[Array, Compression]:
-    """Return the masks of all rows, and what measures their compression."""
+    """Return the masks of all rows, and the measure of their compression."""
     marks = Marks.of(head)
     fine = head.skin.matrix @ head.rest
     shown = np.ones(len(fine))

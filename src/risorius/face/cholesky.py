@@ -65,7 +65,7 @@ def solve(start: UInt32Array, row: UIntArray, weight: Array, inverse: Array, poi
 
 @summing_device
 def substitute(start: UInt32Array, row: UIntArray, weight: Array, inverse: Array, points: Array) -> None:
-    """Do what `solve` does, within a kernel."""
+    """Solve as `solve` does, within a kernel."""
     count = len(inverse)
     for j in range(count):
         spread(points, j, row, weight, start[j], start[j + 1])

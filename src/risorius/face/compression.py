@@ -1,4 +1,4 @@
-"""How much the skin is compressed, region by region: one kernel for wrinkles and bulges.
+"""Compression of the skin, region by region: one kernel for wrinkles and bulges.
 
 A quad's deformation is read from its two diagonals, because a mirrored mesh has the same ones; the triangles
 of a split quad would not be mirrored.
@@ -184,7 +184,7 @@ def _frames(corners: Array, pull: Array) -> Array:
     """Return the frames (k, 3) of quads.
 
     The first two numbers are the coefficients on the diagonals of `pull` (k, 3), projected into the quad as a
-    unit vector, or 0 and 0 if there is no such direction; the third is the area at rest.
+    unit vector, or 0 and 0 without such a direction; the third is the area at rest.
     """
     a, b = _diagonals(corners)
     aa, bb, ab = (a * a).sum(axis=1), (b * b).sum(axis=1), (a * b).sum(axis=1)

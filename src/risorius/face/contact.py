@@ -42,7 +42,7 @@ class Places(NamedTuple):
 
     The vertices of a cell stand at `start[cell]:start[cell + 1]`; `highest` (2 · COLUMNS,) is the largest
     bound in each column of cells. `slot` (k,) is the place of each vertex in this order. In this order:
-    `vertex` its number, `x`, `z` (k + 3,), `nearest` its nearest triangle, −1 if there is none, and `found`
+    `vertex` its number, `x`, `z` (k + 3,), `nearest` its nearest triangle, −1 for none, and `found`
     (k, 3) the least height found, or a bound for it, and the weights of the triangle's last two corners.
     """
 
@@ -219,7 +219,7 @@ def _cover(
 
 @lean_device
 def _meet(s: int, t: int, sign: float, points: Array, triangles: IntArray, places: Places) -> None:
-    """Give triangle t to the vertex in place s if it covers it, with a height below what is found so far."""
+    """Give triangle t to the vertex in place s if it covers it, with a height below the least so far."""
     v, p, q, r = places.vertex[s], triangles[t, 0], triangles[t, 1], triangles[t, 2]
     x, z = points[p, 0], points[p, 2]
     px, pz = places.x[s] - x, places.z[s] - z
@@ -250,7 +250,7 @@ def keep_tight(
     """Keep of the first `count` contacts those that are narrower than `near` mm or must be; return how many.
 
     A gap must not be below the first of the `bounds` (mm), and the narrowest one about each place between
-    `ends` (2, 4) not above the second, where that is finite (see `narrowest`); `high` (k,) is written, the
+    `ends` (2, 4) not above the second, if that is finite (see `narrowest`); `high` (k,) is written, the
     upper bound of each gap that is kept. If no gap is out of its bounds by more than `slack`, none is kept.
     """
     low, widest = bounds
@@ -280,7 +280,7 @@ def narrowest(
 ) -> None:
     """Write the contact with the narrowest gap about each even place from `start` to `end` to `nearest`.
 
-    −1 if there is none. `width`: the share of the whole that counts as around a place; `x` mm and `gap`:
+    −1 for none. `width`: the share of the whole that counts as around a place; `x` mm and `gap`:
     those of the `count` contacts.
     """
     places = len(nearest)

@@ -29,7 +29,7 @@ SHORTEST = 1e-3  # the least share of a step that is tried
 
 
 class SurfaceCost(NamedTuple):
-    """The cost of some weights, up to a constant; what they leave of each way (n, 3), its length (n,), mm."""
+    """The cost of some weights, up to a constant; the rest of each way (n, 3), its length (n,), mm."""
 
     cost: float
     away: Array
@@ -86,7 +86,7 @@ class FarVertices:
 
 @summing_kernel
 def _leave(moves: Array, left: Array, change: Array, away: Array, distance: Array) -> float:
-    """Write what a `change` (s,) of weights leaves of `left` (n, 3), and its lengths; return the penalty."""
+    """Write the rest of `left` (n, 3) after a `change` (s,) of weights, its lengths; return the penalty."""
     penalty = 0.0
     for v in range(len(left)):
         square = 0.0
@@ -103,7 +103,7 @@ def _leave(moves: Array, left: Array, change: Array, away: Array, distance: Arra
 
 @summing_kernel
 def _curve(moves: Array, away: Array, distance: Array, curved: Array, pull: Array) -> None:
-    """Add the penalty's second derivatives to `curved` (s, s), and what draws the weights to `pull` (s,)."""
+    """Add the penalty's second derivatives to `curved` (s, s), and the pull on the weights to `pull` (s,)."""
     count = len(pull)
     along = np.empty(count)
     for v in range(len(away)):
@@ -138,6 +138,6 @@ def lengths(vectors: Array) -> Array:
 
 
 def within_leeway(way: Array) -> Array:
-    """Return a way from the least squares (s,) that is no longer than `LEEWAY` for any weight."""
+    """Return the step (s,) from the least squares, scaled so that no weight moves by more than `LEEWAY`."""
     farthest = float(np.abs(way).max())
     return way * (LEEWAY / farthest) if farthest > LEEWAY else way

@@ -212,7 +212,7 @@ def load_head(
     `age` in years, 0 to 100, changes its shape as `Head.aged` does; None is the age it was made at; `shape`
     changes it as `Head.shaped` does. `muscles`: "fields", those calibrated on sculpts and scans, or "lines",
     the anatomical mode of `muscles.toml`. The same unchanged files return the same object. Raises HeadError
-    if there is no such head, or if a file in its folder lacks an array or a muscle or holds an array of the
+    if the head does not exist, or if a file in its folder lacks an array or a muscle or holds an array of the
     wrong shape or range; raises as `Head.aged` and `Head.shaped`, too.
     """
     path = head_file(name_or_path)
@@ -248,7 +248,7 @@ def head_of(choice: HeadChoice) -> Head:
 
 
 def head_titles() -> dict[str, str]:
-    """Return the heads that come with Risorius by name, each with who it is in a few words."""
+    """Return the heads that come with Risorius by name, each with its title."""
     return {
         name: read_identity(head_file(name).with_name(identity_file.FILE)).title for name in shipped_heads()
     }

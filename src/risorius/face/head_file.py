@@ -91,7 +91,7 @@ class HeadFile:
         return vertices, displacement
 
     def joint_fields(self) -> dict[tuple[str, str], str]:
-        """Return the fields of what two muscles move together, by their names; older files have none."""
+        """Return the fields that two muscles move together, by their names; older files have none."""
         found = {}
         for array in self.arrays:
             name, _, part = array.rpartition("/")

@@ -1,4 +1,4 @@
-"""Where heads are: those that come with Risorius by their names, others by their folder or file."""
+"""Find heads: those that come with Risorius by their names, others by their folder or file."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def shipped_heads() -> tuple[str, ...]:
 
 
 def head_file(name_or_path: str | Path) -> Path:
-    """Return the file of a head by its name, or by its folder or file; raise HeadError if there is none."""
+    """Return the file of a head by its name, folder or file; raise HeadError if there is no such head."""
     path = Path(name_or_path)
     if is_folder(path):
         path = path / FILE

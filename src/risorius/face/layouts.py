@@ -32,7 +32,7 @@ def _knots(points: tuple[tuple[float, float, float], ...]) -> tuple[tuple[float,
 
 
 PlateauEdges = tuple[float, float, float, float]
-"""Where a plateau begins, is full, is still full and ends (`marks.plateau`)."""
+"""The four edges of a plateau: it begins, is full from, is full until, ends (`marks.plateau`)."""
 Landmark = Annotated[int, Range(0, 67)]
 """A number of the 68 landmarks of iBUG."""
 Landmarks = Annotated[tuple[Landmark, ...], Then(_some)]

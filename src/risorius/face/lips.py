@@ -22,7 +22,7 @@ from .products import SparseRows, carry, carry_upwards
 NEAR = 0.12  # mm; wider gaps are left out of the solution after closing
 SHUT = 0.005  # mm that a full seal may leave open
 BEYOND = 2.0  # mm beyond the gap from which on a seal that is not full closes the lips as a full one does
-LEFT = 1.0  # mm that may stay open where a seal just reaches: facets keep the lips apart by less
+LEFT = 1.0  # mm that may stay open if a seal just reaches: facets keep the lips apart by less
 PRESS = 0.05  # mm by which a seal presses the lips together, because facets would keep them apart
 SLACK = 0.005  # mm outside its bounds that a gap may have
 PASSES = 3

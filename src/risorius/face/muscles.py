@@ -83,7 +83,7 @@ class MuscleFields:
 
     @property
     def columns(self) -> int:
-        """How many activations there are: those of the parameters, and of the joint fields."""
+        """The number of activations: those of the parameters, and of the joint fields."""
         return len(PARAMETERS) + len(self.pairs)
 
     def activations(self, values: Array) -> Array:

@@ -84,6 +84,6 @@ def pull(
 def add_pull(
     start: UInt32Array, column: UInt32Array, weight: Array, points: Array, factor: float, out: Array
 ) -> None:
-    """Do what `pull` does, within a kernel."""
+    """Pull as `pull` does, within a kernel."""
     for i in range(len(out)):
         gather(out, i, 1.0, factor, points, column, weight, start[i], start[i + 1])

@@ -1,7 +1,7 @@
 """Non-negative least squares of a few unknowns by their normal equations: block principal pivoting.
 
 Each round solves for the unknowns that are taken to be positive, as if they had no limit. Those that come out
-negative become 0, and those at 0 that would lower the cost become positive: all at once, or, where that has
+negative become 0, and those at 0 that would lower the cost become positive: all at once, or, if that has
 not lessened their number for some rounds, only the last of them (Portugal, Júdice, Vicente, A comparison of
 block pivoting and interior-point algorithms for linear least squares problems, Mathematics of Computation 63,
 1994). The result depends only on which unknowns are positive in the end, not on where the search began; a

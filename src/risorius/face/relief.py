@@ -1,4 +1,4 @@
-"""How far the mesh rises in folds: creases go down, shoulders up, and a narrow crease keeps its room.
+"""Relief of the mesh in folds: creases go down, shoulders up, and a narrow crease keeps its room.
 
 Where the ground is a narrow crease, as beside the wing of the nose, the skin of both its sides rises towards
 the middle, and folds that lie beside each other add up. There they rise less: all of them together at their

@@ -19,7 +19,7 @@ from .jaw import Jaw
 
 LYING = 0.62  # share of its height above its floor that the tongue loses with the jaw wide open
 SUNK, DRAWN_BACK = 12.0, 6.0  # mm by which its back sinks and its tip draws back with the jaw wide open
-VAULT = 6.0  # mm by which its edges sink further than its middle with the jaw wide open: it is no slab
+VAULT = 6.0  # mm by which its edges sink further than its middle with the jaw wide open: it is not flat
 STANDS_UP_TO = 0.1  # opening of the jaw up to which it keeps its height: consonants need no more
 _OUT = TONGUE_FIELDS.index("tongue_out")
 OVER = 5.0  # mm that the tip rises halfway out, so that it passes over the lower teeth, not through them

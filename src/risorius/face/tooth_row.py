@@ -105,7 +105,7 @@ def _around(front: Array, back: Array) -> Array:
 def _largest(table: Array, count: int, axis: int = -1) -> Array:
     """Return the largest of the `count` entries around each along an axis, whose ends go on as they are.
 
-    What SciPy's filters return, without the time of their import.
+    The same as SciPy's filters, without the time of their import.
     """
     ends = [(0, 0)] * table.ndim
     ends[axis] = (count // 2, count // 2)

@@ -155,7 +155,7 @@ class _HeldFlat(NamedTuple):
         return cls(own, rows.row_side[own], INDEX[f"{muscle}.left"], INDEX[f"{muscle}.right"], work)
 
     def flatten(self, values: Array, stretch: Array) -> None:
-        """Take from the compression in `stretch` (r,) what other muscles than this one cause."""
+        """Take from the compression in `stretch` (r,) the part that other muscles than this one cause."""
         own, (idle, shortened) = stretch[self.rows], self.work
         left, right = ((1.0 - float(values[k])) ** 2 for k in (self.left, self.right))
         if left == right == 1.0:
@@ -227,7 +227,7 @@ def fold_height(width: float, stretch: float, give: float) -> float:
 
 @device
 def capped(height: float, cap: float) -> float:
-    """Return `height` ≥ 0 mm, of which so much is lost that it stays below `cap`.
+    """Soft-clip `height` (mm, ≥ 0) below `cap` (mm).
 
     Most skin is nearly flat: there the series of tanh is as exact as single precision, and faster.
     """

@@ -52,7 +52,7 @@ class Abbreviations:
 
     @functools.cached_property
     def pattern(self) -> re.Pattern[str]:
-        """What finds all that is read otherwise than it is written; its groups are the kinds."""
+        """A pattern that finds all text that is read otherwise than written; its groups are the kinds."""
         kinds = {kind: rule for kind, rule in _rules(self) if rule is not None}
         return re.compile("|".join(f"(?P<{kind}>{rule})" for kind, rule in kinds.items()))
 

@@ -35,7 +35,7 @@ class Candidate:
 
 @dataclass(frozen=True, slots=True)
 class AccentRule:
-    """What a candidate must be (None: anything), and the accent it gets; none without a label."""
+    """Conditions on a candidate (None: any value), and the accent it gets; no accent without a label."""
 
     content: bool | None = None
     only: bool | None = None
@@ -84,7 +84,7 @@ class BoundaryRule:
 
 @dataclass(frozen=True, slots=True)
 class Voicing:
-    """How tones sound: semitones on an accented word, the punctuation that ends a phrase so."""
+    """The sound of tones: semitones on an accented word, the punctuation that ends a phrase so."""
 
     accents: Mapping[str, Annotated[float, Range(-12.0, 12.0)]]
     boundaries: Mapping[str, str]
@@ -105,7 +105,7 @@ class IntonationTable:
     voice: Voicing
 
     def accent_of(self, candidate: Candidate) -> AccentRule | None:
-        """Return the first rule that fits a candidate, None where it gets no accent."""
+        """Return the first rule that fits a candidate, None if it gets no accent."""
         rule = next((rule for rule in self.accent if rule.fits(candidate)), None)
         return rule if rule is not None and rule.label is not None else None
 

@@ -61,14 +61,14 @@ class Questions:
 
 @dataclass(frozen=True, slots=True)
 class Clauses:
-    """Words before which a phrase may begin without a pause, if both parts have at least so many words."""
+    """Words before which a phrase may begin without a pause, if both parts have at least `least` words."""
 
     before: tuple[str, ...] = ()
     least: Annotated[int, Range(1, 50)] = 3
 
 
 class Nouns(StrEnum):
-    """How nouns are told from other content words."""
+    """The way to tell nouns from other content words."""
 
     CAPITALS = "capitals"
     DETERMINERS = "determiners"
@@ -76,7 +76,7 @@ class Nouns(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class AccentPlaces:
-    """Which content words carry no accent where they stand.
+    """Content words that carry no accent because of their position.
 
     `trailing`: words at the end of a phrase that the nucleus passes over. `verbs`: how verbs look that end a
     clause and are unaccented right after a noun ("ge…t": "…" is two letters or more), but those of
@@ -97,10 +97,10 @@ class AccentPlaces:
 
 @dataclass(frozen=True, slots=True)
 class Discourse:
-    """What tells given, new and contrasted words.
+    """Clues that tell given, new and contrasted words apart.
 
-    `endings`: what is left out where words are compared ("prefers", "preferred"). `topics`: what stands in a
-    question before what it turns to ("what about"). `negations` and `corrections`: "not tea but coffee".
+    `endings`: left out when words are compared ("prefers", "preferred"). `topics`: words of a question before
+    its new topic ("what about"). `negations` and `corrections`: "not tea but coffee".
     `subjects`: words that ask for a subject ("who").
     """
 
@@ -153,7 +153,7 @@ class WordList:
 
 @dataclass(frozen=True, slots=True)
 class Language:
-    """What is known about a language. `code`: that of its folder, "und" for a language without one."""
+    """The tables of a language. `code`: that of its folder, "und" for a language without one."""
 
     code: str
     name: str
@@ -176,14 +176,14 @@ class Language:
     number_readings: NumberReadings
 
     def is_function_word(self, text: str) -> bool:
-        """Tell whether a word normally carries no accent; what apostrophes join does not if no part does."""
+        """Tell whether a word normally has no accent; a word with apostrophes has none if no part has one."""
         word = plain_word(text)
         return word in self.function_words or (
             "'" in word and all(part in self.function_words for part in word.split("'"))
         )
 
     def stem(self, text: str) -> str:
-        """Return what the forms of a word have in common: "prefer" of "prefers" and "preferred"."""
+        """Return the part that the forms of a word have in common: "prefer" of "prefers" and "preferred"."""
         word = plain_word(text)
         fitting = (end for end in self.discourse.endings if word.endswith(end))
         longest = max((end for end in fitting if len(word) - len(end) >= _SHORTEST_STEM), key=len, default="")

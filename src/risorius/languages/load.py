@@ -16,6 +16,7 @@ from .abbreviations import Abbreviations
 from .intonation import IntonationTable
 from .language import Language, LanguageTable, NumberReadings, PhoneTable, WordList
 from .mnemonics import Mnemonics
+from .phones import check_phones
 
 T = TypeVar("T")
 UNDETERMINED = "und"
@@ -60,10 +61,18 @@ def _language(code: str) -> Language:
         tone_letters=phones.tones,
         words=frozenset(word for words in listed.words.values() for word in words.split()),
         abbreviations=_read(Abbreviations, code, "abbreviations.toml"),
-        mnemonics=_read(Mnemonics, code, "mnemonics.toml"),
+        mnemonics=_mnemonics(code),
         intonation=_read(IntonationTable, code, "intonation.toml"),
         number_readings=_number_readings(code),
     )
+
+
+def _mnemonics(code: str) -> Mnemonics:
+    """Return how espeak-ng spells a language's phones; raise InputError if it dictates some, but not all."""
+    table = _read(Mnemonics, code, "mnemonics.toml")
+    if table.dictated:
+        check_phones(f"{code}/mnemonics.toml", table.dictated)
+    return table
 
 
 def _read(cls: type[T], code: str, name: str) -> T:
@@ -85,7 +94,7 @@ def _tables(code: str, name: str) -> tuple[str, dict[str, Any]]:
 
 
 def _laid_over(base: Mapping[str, Any], tables: Mapping[str, Any]) -> dict[str, Any]:
-    """Return both; what both have is from `tables`, or again both if it is a table."""
+    """Return both merged; `tables` overrides, and tables within both are merged again."""
     return {
         **base,
         **{

@@ -1,6 +1,6 @@
 """Phone sets: ARPAbet and the International Phonetic Alphabet (IPA).
 
-ARPAbet is the 39 phones of the CMU dictionary, without stress digits; it is English. `from_ipa` knows the
+ARPAbet is English: the phones of the inventory (`phones.py`), without stress digits. `from_ipa` knows the
 sounds of the IPA chart and gives each the ARPAbet phone that looks nearest on the lips. What even that does
 not know is given by class (`UNKNOWN_VOWEL`, `UNKNOWN_CONSONANT`) and marked.
 """
@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import unicodedata
 from typing import NamedTuple
+
+from .phones import PhoneManner, inventory
 
 
 class PhonePart(NamedTuple):
@@ -19,29 +21,22 @@ class PhonePart(NamedTuple):
 
 
 class ArpabetReading(NamedTuple):
-    """The ARPAbet parts of a foreign symbol; `known` is False where only the class of the sound was known."""
+    """The ARPAbet parts of a foreign symbol; `known` is False if only the class of the sound was known."""
 
     parts: tuple[PhonePart, ...]
     known: bool
 
 
-# ARPAbet and its IPA, after the CMU dictionary's key.
-VOWEL_IPA = {
-    "AA": "ɑ", "AE": "æ", "AH": "ʌ", "AO": "ɔ", "AW": "aʊ", "AY": "aɪ", "EH": "ɛ", "ER": "ɝ", "EY": "eɪ",
-    "IH": "ɪ", "IY": "i", "OW": "oʊ", "OY": "ɔɪ", "UH": "ʊ", "UW": "u",
-}  # fmt: skip
-CONSONANT_IPA = {
-    "B": "b", "CH": "tʃ", "D": "d", "DH": "ð", "F": "f", "G": "ɡ", "HH": "h", "JH": "dʒ", "K": "k", "L": "l",
-    "M": "m", "N": "n", "NG": "ŋ", "P": "p", "R": "ɹ", "S": "s", "SH": "ʃ", "T": "t", "TH": "θ", "V": "v",
-    "W": "w", "Y": "j", "Z": "z", "ZH": "ʒ",
-}  # fmt: skip
+VOWEL_IPA = {symbol: row.ipa for symbol, row in inventory().vowel.items()}
+CONSONANT_IPA = {symbol: row.ipa for symbol, row in inventory().consonant.items()}
 VOWELS = frozenset(VOWEL_IPA)
 CONSONANTS = frozenset(CONSONANT_IPA)
 ARPABET = VOWELS | CONSONANTS
 IPA = VOWEL_IPA | CONSONANT_IPA
-VOICELESS_STOPS = frozenset({"P", "T", "K", "CH"})
-NASALS = frozenset({"M", "N", "NG"})
-STOPS = VOICELESS_STOPS | {"B", "D", "G", "JH"}
+_CLOSED = (PhoneManner.STOP, PhoneManner.AFFRICATE)
+STOPS = inventory().made(*_CLOSED)
+VOICELESS_STOPS = inventory().made(*_CLOSED, voiced=False)
+NASALS = inventory().made(PhoneManner.NASAL)
 
 UNKNOWN_VOWEL = "AH"
 UNKNOWN_CONSONANT = "T"

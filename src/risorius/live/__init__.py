@@ -1,1 +1,1 @@
-"""A face for someone who talks for as long as it lasts: text arrives in pieces, frames leave one by one."""
+"""A live face that talks while it lasts: text arrives in pieces, frames leave one by one."""

@@ -30,7 +30,7 @@ class LiveFrame:
     rotations: Array | None = None
 
     def __repr__(self) -> str:
-        """Return one line: its number and time, and what is being said."""
+        """Return one line: its number, its time and its sentence."""
         return f"<LiveFrame {self.index} at {self.time:.3f} s, {self.text!r}>"
 
     @property

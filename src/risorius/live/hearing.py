@@ -1,4 +1,4 @@
-"""From a phrase of the face's own voice to what is said when in it, beside the frames that are shown."""
+"""Align a phrase of the face's own voice in the background, while frames are shown."""
 
 from __future__ import annotations
 
@@ -37,10 +37,10 @@ _OWN_SILENCE = 0.15
 
 @dataclass(frozen=True, slots=True)
 class HeardPhrase:
-    """What a phrase says when.
+    """The words of a phrase and their times.
 
-    `rest`: the text that came with it, and that it does not say. `fault`: why what it says is less certain
-    than it might be, "" if it is not.
+    `rest`: the text that came with it but is not said in it. `fault`: why its words are less certain than
+    they might be, "" if nothing is wrong.
     """
 
     phrase: VoicedPhrase
@@ -60,7 +60,7 @@ Hearing = Future[HeardPhrase]
 
 
 def hear_phrase(phrase: VoicedPhrase, language: str) -> HeardPhrase:
-    """Return what a phrase says when: by its words' times, else by its text, else by ear.
+    """Return the timed words of a phrase: by its words' times, else by its text, else by ear.
 
     One that cannot be heard is played with the mouth at rest.
     """
@@ -120,7 +120,7 @@ def perform_voice(
 
 
 def texts_of(phrases: Sequence[HeardPhrase]) -> tuple[str, ...]:
-    """Return what the phrases say, with the blanks between them."""
+    """Return the text of the phrases, with the blanks between them."""
     return tuple(phrase.text.strip() + " " if phrase.text.strip() else "" for phrase in phrases)
 
 

@@ -16,7 +16,7 @@ IDLE_SECONDS = 6.0
 
 
 def idle_take(seconds: float, feelings: Displays, settings: Settings) -> Take:
-    """Perform so many seconds in which nothing is said; `settings` have their profile's age."""
+    """Perform `seconds` in which nothing is said; `settings` have their profile's age."""
     inputs = ChannelInputs(
         seconds,
         emotions=feelings,

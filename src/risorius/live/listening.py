@@ -1,4 +1,4 @@
-"""When a listener nods: at the pauses of who speaks to it, and after low pitch."""
+"""Times at which a listener nods: at the speaker's pauses, and after low pitch."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ NOD_SECONDS, NOD_DEGREES = 0.4, -5.0
 
 
 class PauseListener:
-    """Tells when to nod at what the other says, from sound in pieces, cut anywhere."""
+    """Tells when to nod at the other's speech, from sound in pieces, cut anywhere."""
 
     def __init__(self) -> None:
         self._rest = np.zeros(0)
@@ -82,13 +82,13 @@ class PauseListener:
             return False
         self._silence += _BLOCK
         if self._silence >= LONG_PAUSE:
-            # Who speaks next may be further away.
+            # The next speaker may be further away.
             self._level, self._speech = None, 0.0
         return self._silence >= PAUSE and self._speech >= SPEECH and self._since >= BETWEEN
 
 
 def nod_pitch(seconds: float) -> float:
-    """Return the degrees that a nod adds to the head's pitch so long after it began."""
+    """Return the degrees that a nod adds to the head's pitch `seconds` after it began."""
     if not 0.0 <= seconds < NOD_SECONDS:
         return 0.0
     return float(NOD_DEGREES * np.sin(np.pi * seconds / NOD_SECONDS) ** 2)

@@ -1,4 +1,4 @@
-"""Where a live face looks because it was told to: eyes and head go there, stay, and come back."""
+"""Directions that a live face is told to look in: eyes and head go there, stay, and come back."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def direction_of(target: str | Angles) -> Angles:
 
 
 class Looking:
-    """The look that is held; the face's own looks where none is.
+    """The look that is held; the face's own looks if none is.
 
     The eyes go as they do in a performance (main sequence, Freedman's law), and hold the direction while the
     head moves.

@@ -1,4 +1,4 @@
-"""Stretches of low pitch in what the other says: there people answer "uh-huh" (Ward and Tsukahara 2000).
+"""Stretches of low pitch in the other's speech: there people answer "uh-huh" (Ward and Tsukahara 2000).
 
 Pitch is found as YIN finds it (de Cheveigné and Kawahara 2002), block by block, without looking ahead.
 """

@@ -1,4 +1,4 @@
-"""When a frame is due: the first at once, each other one by the frame rate after it."""
+"""The times at which frames are due: the first at once, the others by the frame rate after it."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Pace:
     def wait(self, index: int) -> float:
         """Return the seconds until a frame is due, 0 if its time has passed.
 
-        Frames carry the sound, so that none is dropped: who is late catches up.
+        Frames carry the sound, so that none is dropped: a late face catches up.
         """
         return max(0.0, -self._since(index))
 

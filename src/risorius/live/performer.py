@@ -1,4 +1,4 @@
-"""Performing what a turn says, and hearing a voice: here, in the thread that asks for it."""
+"""Perform a turn's text and hear a voice, in the thread that asks for it."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from .threads import threads
 from .voice import VoicedPhrase
 
 PerformSentence = Callable[[str, Displays, Settings], Take]
-"""Performs a text with what is felt."""
+"""Performs a text with the emotions felt."""
 
 
 def perform_sentence(
@@ -37,7 +37,7 @@ def perform_sentence(
 ) -> Take:
     """Perform sentences as `speak` does.
 
-    What was spoken `before` is not spoken again; what is spoken is added to it.
+    Speech from `before` is not spoken again; what is spoken is added to it.
     """
     given = Input(text, text=True, name="live", language=settings.language, before=before)
     return perform_input(given, feelings, settings)
@@ -52,8 +52,8 @@ def language_spoken(settings: Settings) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Played:
-    """What is played of a take: the parameters' values (frames, parameters), its sound, and the second and
-    the character at which each word begins. `sample_rate` is None if there is no sound.
+    """The playback of a take: the parameters' values (frames, parameters), its sound, and the second and the
+    character at which each word begins. `sample_rate` is None without sound.
     """
 
     values: Array
@@ -63,7 +63,7 @@ class Played:
 
 
 def played(take: Take) -> Played:
-    """Return what is played of a take."""
+    """Return the playback of a take."""
     samples, rate = np.zeros(0, np.int16), None
     if take.audio is not None:
         samples, rate = take.audio.read(), take.audio.sample_rate
@@ -77,7 +77,7 @@ class TurnPerformer(Protocol):
 
     @property
     def threads(self) -> int:
-        """How many threads may well ask at a time."""
+        """The number of threads that may ask at a time."""
         ...
 
     @property
@@ -94,7 +94,7 @@ class TurnPerformer(Protocol):
         ...
 
     def hear(self, phrase: VoicedPhrase, language: str) -> HeardPhrase:
-        """Return what a phrase of a voice says when."""
+        """Return the timed words of a voice's phrase."""
         ...
 
 
@@ -129,7 +129,7 @@ class LocalPerformer:
         return played(hearing.perform_voice(phrases, feelings, settings, measure=measure))
 
     def hear(self, phrase: VoicedPhrase, language: str) -> HeardPhrase:
-        """Return what a phrase says when."""
+        """Return the timed words of a phrase."""
         with warnings_to(lambda line: None):
             return hearing.hear_phrase(phrase, language)
 

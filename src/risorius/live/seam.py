@@ -1,4 +1,4 @@
-"""How the face passes from one stretch to the next without a jump."""
+"""The transition of a face from one stretch to the next without a jump."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _LOW, _HIGH = np.array([(p.low, p.high) for p in PARAMETERS]).T
 
 
 class Seam:
-    """The last change of what is played, and what is left by it."""
+    """The last change of the playback, and the difference that it left."""
 
     def __init__(self, fps: Fraction) -> None:
         self._fps = fps

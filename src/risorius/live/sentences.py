@@ -1,4 +1,7 @@
-"""Sentences out of text that arrives in pieces: the same ones however the text is cut."""
+"""Split text that arrives in pieces into sentences.
+
+Sentence boundaries do not depend on how the text is chunked.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +14,7 @@ from ..speech.text.tokens import is_speakable
 
 LONGEST_WAITING = 100_000
 """Characters that may wait for the end of their sentence."""
-# Whether a sentence ends is decided by what follows it within so many characters.
+# Characters after a possible end that decide whether the sentence ends there.
 _LOOKAHEAD = 60
 # A blank line ends a sentence that does not end in one of these.
 _ENDS = ".!?\u2026"

@@ -51,7 +51,7 @@ class ElevenLabsVoice:
         self._word: list[tuple[str, float, float]] = []
 
     def say(self, message: Message) -> None:
-        """Let the face say what a message has; raises InputError for what is no such message."""
+        """Let the face say the content of a message; raises InputError for a message of another form."""
         content = _part(Object, message)
         data = _decoded(content.get("audio") or content.get("audio_base64") or "")
         alignment = content.get("alignment") or content.get("normalizedAlignment") or {}
@@ -116,7 +116,7 @@ class CartesiaVoice:
         self._face, self._encoding, self._rate = face, encoding, rate
 
     def say(self, message: Message) -> None:
-        """Let the face say what a message has; raises InputError for what is no such message."""
+        """Let the face say the content of a message; raises InputError for a message of another form."""
         content = _part(Object, message)
         kind = content.get("type")
         if kind == "chunk":
@@ -202,4 +202,4 @@ def _decoded(text: object) -> bytes:
     try:
         return base64.b64decode(_part(str, text, "audio"), validate=True)
     except (binascii.Error, ValueError):
-        raise InputError("the message's sound is not base64; expected samples in it") from None
+        raise InputError("the message's sound is not base64; expected samples in base64") from None

@@ -65,7 +65,7 @@ _SAMPLE_RATE = 22_050
 
 
 class Live:
-    """A face that says what arrives in pieces, and lives in between.
+    """A face that speaks text and sound as they arrive in pieces, and lives in between.
 
     No clock takes part unless frames are paced: `frames` yields the next frame when asked, and a frame
     depends on the text and on the frames at which it arrived, not on how it was cut. Text may come from
@@ -87,7 +87,7 @@ class Live:
             chosen = replace(chosen, fps=parse_fps(fps))
         changed = [name for name in ("lead", "tail") if getattr(chosen, name) != getattr(Settings(), name)]
         if changed:
-            raise UnreadError(changed, "a live face has pauses of its own; expected none")
+            raise UnreadError(changed, "a live face sets its own pauses; leave them at their defaults")
         self._settings = replace(chosen, lead=SEAM, tail=TAIL)
         self._idle_settings = with_profile(self._settings)
         self._performer: TurnPerformer = LocalPerformer(perform)
@@ -188,7 +188,7 @@ class Live:
             self._waiting.feel(names[emotion.lower()], intensity)
 
     def listen(self, samples: ArrayLike, rate: int) -> None:
-        """Hear a piece of what the other says; the face nods at its pauses if it says nothing itself.
+        """Hear a piece of the other's speech; the face nods at its pauses unless it speaks itself.
 
         `samples`: one channel, int16 or -1..1. Raises InputError for other sound, which is not heard.
         """
@@ -216,13 +216,13 @@ class Live:
             return unsaid.strip()
 
     def close(self) -> None:
-        """Say what has arrived; then `frames` ends."""
+        """Say all text that has arrived; then `frames` ends."""
         with self._lock:
             self._waiting.end()
             self._closed = True
 
     def frames(self, *, paced: bool = False, waits: bool = True) -> Iterator[LiveFrame]:
-        """Yield frame after frame, idle ones too, until `close` and the end of what is being said.
+        """Yield frame after frame, idle ones too, until `close` and the end of the last sentence.
 
         With `paced` each is yielded when its time has come, counted from the first. Unless it `waits`, and
         if it is paced, the face lives on while the words of a voice are found, and the clock takes part. An
@@ -239,7 +239,7 @@ class Live:
             yield frame
 
     def aframes(self) -> AsyncIterator[LiveFrame]:
-        """Yield what `frames` does, paced; each is made in another thread meanwhile."""
+        """Yield the frames of `frames`, paced; each is made in another thread meanwhile."""
         self._set_waiting(False)
         return self._aframes()
 
@@ -251,7 +251,7 @@ class Live:
             yield frame
 
     def _set_waiting(self, waits: bool) -> None:
-        """Let frames wait for what is being heard, or come in time: then a process beside performs."""
+        """Let frames wait for speech that is being heard, or come in time: then a process beside performs."""
         self._waits = waits
         if self._performer.may_move and not waits:
             self._performer = performer_beside()
@@ -322,7 +322,7 @@ class Live:
         joining = self._joining
         if joining is None or self._next < joining.at:
             return False
-        # Frames that must come in time go on without it, as long as that is no sentence's end.
+        # Frames that must come in time go on without it, unless a sentence ends there.
         return self._waits or joining.turn.done() or self._next >= playing.last_call(self._settings.fps)
 
     def _may_join(self, playing: LiveStretch, plan: TurnPlan) -> bool:
@@ -331,7 +331,7 @@ class Live:
         return in_time and not playing.is_full and self._joining is None and not self._beginning
 
     def _join(self, joining: Joining) -> None:
-        """Go on with the turn that others have joined; an error in them is raised, and it goes on without."""
+        """Continue with the extended turn; if its new sentences fail, tell why and keep the old turn."""
         performed = joining.turn.result()
         playing = self._stretch
         with self._lock:
@@ -347,7 +347,7 @@ class Live:
         self._told(performed)
 
     def _told(self, performed: PerformedTurn) -> None:
-        """Let sentences wait that could not be said together, and tell what is wrong with those that were."""
+        """Put back sentences that could not be said together, and report the faults of those that were."""
         with self._lock:
             self._waiting.put_back(performed.rest)
         self._faults += performed.faults
@@ -385,7 +385,7 @@ class Live:
     def _after(
         self, before: LiveStretch | None, chosen: Settings, feelings: Displays
     ) -> tuple[Settings, int]:
-        """Return settings and first frame of a stretch that goes on with what is felt in the one before."""
+        """Return settings and first frame of a stretch that goes on with the emotions of the one before."""
         if not feelings or before is None or before.feelings != feelings:
             return chosen, self._next
         chosen, dropped = prerolled(chosen)
@@ -393,7 +393,7 @@ class Live:
 
 
 def _weights(settings: Settings) -> LiveWeights:
-    """Return what fits weights, which loads the face only where they are asked for."""
+    """Return the fit of weights, which loads the face only if they are asked for."""
     from .weights import LiveWeights
 
     return LiveWeights(settings)

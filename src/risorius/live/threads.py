@@ -8,5 +8,5 @@ from functools import cache
 
 @cache
 def threads(task: str, most: int) -> ThreadPoolExecutor:
-    """Return the threads of a task, at most so many: all faces share them."""
+    """Return the pool of at most `most` threads for a task; all faces share it."""
     return ThreadPoolExecutor(most, task)

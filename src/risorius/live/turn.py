@@ -20,10 +20,10 @@ from .waiting import LiveSentence
 TAIL = 0.35
 """Seconds of silence behind a sentence; with the seam before the next they make its pause."""
 FIRST_CHARACTERS = 100
-"""Characters with which a turn begins, if there are so many: the others join it while it plays."""
+"""Characters with which a turn begins, if it has as many: the others join it while it plays."""
 FEW_SENTENCES, GROWTH, MOST_SENTENCES = 8, 4, 64
-"""Sentences of a turn, at most 64. Joining performs a turn anew: it grows at most so many times at once, and
-what would make it longer than that begins another one. So the cost of a sentence is bounded."""
+"""Sentences of a turn, at most 64. Joining performs a turn anew: at once it grows to at most GROWTH times its
+size, or to FEW_SENTENCES, and sentences beyond begin another turn. So the cost of a sentence is bounded."""
 LAST_CALL = 0.9
 """Seconds before a turn's end after which no sentence joins it (DESIGN, section 6)."""
 PREROLL = 1.0
@@ -32,9 +32,9 @@ PREROLL = 1.0
 
 @dataclass(frozen=True, slots=True)
 class LiveStretch:
-    """What is played: values (frames, parameters) and samples, from the face's frame `first` on.
+    """A stretch that is played: values (frames, parameters) and samples, from the face's frame `first` on.
 
-    `sentences`: what is said, none if nothing is; `spoken`: their text, and as `labels` that of each.
+    `sentences`: those that are said, possibly none; `spoken`: their text, and as `labels` that of each.
     `starts`: seconds at which each begins. `words`: seconds and first character of each. `is_full`: nothing
     joins it any more.
     """
@@ -57,11 +57,11 @@ class LiveStretch:
         return self.first + len(self.values)
 
     def sentence_at(self, seconds: float) -> str:
-        """Return the sentence that is being said so many seconds after `first`."""
+        """Return the sentence that is being said `seconds` after `first`."""
         return self.labels[max(bisect_right(self.starts, seconds) - 1, 0)] if self.labels else ""
 
     def unsaid_after(self, seconds: float) -> str:
-        """Return the text from the first word on that begins later than that."""
+        """Return the text from the first word that starts after `seconds` to the end."""
         later = [character for start, character in self.words if start > seconds]
         return self.spoken[later[0] :] if later else ""
 
@@ -72,7 +72,7 @@ class LiveStretch:
 
 @dataclass(frozen=True, slots=True)
 class TurnPlan:
-    """How a turn is performed: `performer` makes it by the `settings`, and it begins at the frame `first`.
+    """The plan of a turn: `performer` makes it by the `settings`, and it begins at the frame `first`.
 
     `rate` is that of a turn without sound.
     """
@@ -115,7 +115,7 @@ class TurnPlan:
         try:
             longer = self.performed((*playing.sentences, following))
         except RisoriusError:
-            # Whoever says the sentence tells what is wrong with it.
+            # The turn that says the sentence reports its fault.
             return PerformedTurn(replace(playing, is_full=True))
         if following.voice is None:
             border = longer.starts[len(playing.labels)] - self.settings.lead
@@ -136,7 +136,7 @@ class TurnPlan:
 
 @dataclass(frozen=True, slots=True)
 class PerformedTurn:
-    """What came of performing a turn: what it plays, None if its new sentences cannot be spoken, because of
+    """The result of performing a turn: what it plays, None if its new sentences cannot be spoken, because of
     `error`; the sentences that wait again; and why phrases are heard less well than they might be.
     """
 
@@ -164,7 +164,7 @@ def stretch_of(
     feelings: Displays,
     rate: int,
 ) -> LiveStretch:
-    """Return what is played from the frame `first` on; `rate` is that of what has no sound.
+    """Return the stretch that plays from the frame `first` on; `rate` is that of a turn without sound.
 
     `texts`: those of the sentences, with the blanks between them.
     """

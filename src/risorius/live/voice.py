@@ -31,7 +31,7 @@ _BLOCK, _QUIETEST = 0.02, -50.0
 
 
 class Known(Enum):
-    """What is known of what a voice says."""
+    """Knowledge about the words of a voice."""
 
     TIMES = "its words and their times"
     TEXT = "its text"
@@ -40,8 +40,8 @@ class Known(Enum):
 
 @dataclass(frozen=True, slots=True)
 class VoicedPhrase:
-    """A phrase that is heard: its `samples`, and its words with their times; or its text, as far as it came
-    since the phrase before, of which it says the beginning if it `is_open`.
+    """A phrase of the voice: its `samples`, and its words with their times or the text received since the
+    previous phrase. If `is_open`, the phrase covers only the beginning of that text.
     """
 
     samples: Samples
@@ -80,7 +80,7 @@ class VoiceBuffer:
 
     @property
     def text(self) -> str:
-        """What is known of the text of the sound that waits."""
+        """The text of the sound that waits, as far as it is known."""
         return written(self._words) or self._text
 
     def add(
@@ -99,7 +99,7 @@ class VoiceBuffer:
         """
         check_rate(rate, LOWEST_RATE, HIGHEST_RATE)
         if self and rate != self._rate:
-            raise InputError(f"{rate:,} Hz after {self._rate:,}; expected one rate up to flush")
+            raise InputError(f"{rate:,} Hz after {self._rate:,} Hz; expected one sample rate until flush")
         if not isinstance(words, Iterable):
             raise InputError(f"words are {type(words).__name__}; expected a list of (word, start, end)")
         timed = [_timed_word(word) for word in words]
@@ -121,7 +121,7 @@ class VoiceBuffer:
         return list(self._whole())
 
     def flush(self) -> list[VoicedPhrase]:
-        """Return what waits as a phrase; words are counted anew."""
+        """Return the waiting sound as a phrase, and start to count words anew."""
         rest = [self._phrase(len(self._sound), len(self._words))] if len(self._sound) else []
         self._decoder, self._text, self._has_text, self._words, self._since = None, "", False, [], 0.0
         self._sound, self._pauses = np.zeros(0, np.int16), _PauseFinder()
@@ -175,7 +175,7 @@ class _PauseFinder:
         self._quiet = 0
 
     def find(self, sound: Samples, rate: int, latest: float) -> int | None:
-        """Return the samples before the end of the first phrase, None while there is none."""
+        """Return the samples before the end of the first phrase, None while no phrase has ended."""
         size = round(rate * _BLOCK)
         for start in range(len(self._levels) * size, len(sound) - size + 1, size):
             block = sound[start : start + size] / 32_768.0

@@ -1,4 +1,4 @@
-"""What was given to a live face and is not said yet: text, a voice, and what is felt with them."""
+"""The queue of a live face: text and voice that are not said yet, and the emotions felt with them."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ MOST_WAITING = 1_000
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LiveSentence:
-    """What is to be said, and what was felt when it became whole: a text, or the phrase of a `voice` at
-    `rate` Hz.
+    """A sentence to be said: a text, or the phrase of a `voice` at `rate` Hz, and the emotions that were felt
+    when it became whole.
     """
 
     text: str
@@ -37,11 +37,11 @@ class LiveSentence:
 
     @property
     def is_heard(self) -> bool:
-        """Whether it is known what it says when."""
+        """Whether its words and their times are known."""
         return self.voice is None or self.voice.done()
 
     def joins(self, first: LiveSentence) -> bool:
-        """Tell whether it can be performed together with what a turn began with."""
+        """Tell whether it can be performed together with the first sentence of a turn."""
         return self.feelings == first.feelings and self.rate == first.rate
 
 
@@ -69,11 +69,11 @@ class WaitingSentences:
 
     @property
     def felt(self) -> Displays:
-        """What is felt now."""
+        """The emotions that are felt now."""
         return tuple(Display(name, amount) for name, amount in self._feelings.items() if amount)
 
     def feel(self, emotion: str, intensity: float) -> None:
-        """Feel an emotion with what becomes whole from now on."""
+        """Feel an emotion with the sentences that become whole from now on."""
         self._feelings[emotion] = intensity
 
     def add_text(self, text: str) -> None:
@@ -90,14 +90,14 @@ class WaitingSentences:
         text: str,
         words: Iterable[tuple[str, float, float]],
     ) -> None:
-        """Add a piece of a voice; text that waits for its end ends. InputError for what cannot be used."""
+        """Add a piece of a voice; text that waits for its end ends. InputError for a bad rate or words."""
         self._check()
         phrases = self._voice.add(audio, rate, encoding, text, words)
         self._queue(self._text.flush())
         self._hear(phrases)
 
     def end(self) -> None:
-        """End what waits for its end."""
+        """End the text and the voice that wait for their end."""
         self._queue(self._text.flush())
         self._hear(self._voice.flush())
 
@@ -109,8 +109,8 @@ class WaitingSentences:
         *,
         heard: bool = False,
     ) -> tuple[LiveSentence, ...]:
-        """Take at most so many that can be performed together with the first, or else with each other; none
-        more once there are so many characters. With `heard`, those that are not heard yet wait on."""
+        """Take at most `most` that can be performed together with `first`, or else with each other; stop at
+        `characters`. With `heard`, those that are not heard yet go on waiting."""
         taken: list[LiveSentence] = []
         while self._whole and len(taken) < most:
             following = self._whole[0]

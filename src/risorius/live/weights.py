@@ -36,7 +36,7 @@ HEADS = 4
 class LiveWeights:
     """Fits the frames of one live face, in order, with the inertia of its skin.
 
-    What a head needs is made once, and shared by all live faces that show it. Raises HeadError if it cannot
+    The data of a head is made once, and shared by all live faces that show it. Raises HeadError if it cannot
     be loaded, or has no ARKit shapes.
     """
 
@@ -82,7 +82,7 @@ class LiveWeights:
 class LiveSolvers:
     """The solvers of one head: as many as solve at a time, at most one for each processor.
 
-    Who has waited longest is next: a face that is late, and asks again at once, must not make others late.
+    First come, first served, so that one late face that asks again at once does not delay the others.
     """
 
     def __init__(self, settings: Settings) -> None:
@@ -94,7 +94,7 @@ class LiveSolvers:
         self.fit = ArkitFit.of(self._free[0].head)
 
     def __len__(self) -> int:
-        """How many wait for a solver."""
+        """The number of faces that wait for a solver."""
         return len(self._waiting)
 
     @contextmanager

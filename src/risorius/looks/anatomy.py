@@ -30,7 +30,7 @@ class Anatomy:
     chin: float
 
     def measures(self) -> tuple[npt.ArrayLike, ...]:
-        """Return all values in one order, as a key for what is computed from them."""
+        """Return all values in one order, as a key for results computed from them."""
         names = sorted(self.masks)
         masks = [self.masks[name] for name in names]
         values = (getattr(self, field.name) for field in fields(self) if field.name != "masks")

@@ -11,7 +11,7 @@ from .srgb import linear
 from .strands import Strands
 
 _GREY = (160, 155, 147)  # sRGB: white hairs, and some that have kept a little of their colour
-_BLENDED = 1.1  # a ribbon stands for several hairs: over so much of the share it turns from none to all
+_BLENDED = 1.1  # range of the share over which a ribbon, which stands for several hairs, turns grey
 _SPREAD = 0.41421356  # multiples of it, modulo 1, are spread evenly; `render/ribbons.py` has others
 
 

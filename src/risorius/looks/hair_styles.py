@@ -50,5 +50,5 @@ def grow_hair(anatomy: Anatomy, surface: Surface, colour: Array, looks: Looks) -
 
 
 def grown_on(anatomy: Anatomy, surface: Surface) -> list[AnyArray]:
-    """Return the arrays that say what hairs of a head grow on."""
+    """Return the arrays that describe the surface on which a head's hairs grow."""
     return [surface.points, surface.normals, surface.triangles, *map(np.asarray, anatomy.measures())]

@@ -54,7 +54,7 @@ class HeadModel:
 
 
 def head_model(head: Head, looks: Looks | None = None) -> HeadModel:
-    """Return the model of a head; `looks` are the head's own where None."""
+    """Return the model of a head; `looks` are the head's own if None."""
     return _made(head, looks or head.identity.looks)
 
 

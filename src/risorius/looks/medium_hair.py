@@ -172,7 +172,7 @@ def _on_the_cheeks(anatomy: Anatomy, place: Array) -> Array:
 
 
 def _to_the_cheeks(anatomy: Anatomy, place: Array) -> Array:
-    """Return what directions (S, 3) of hair at places (S, 3) gain towards the cheeks.
+    """Return the change of directions (S, 3) of hair at places (S, 3) towards the cheeks.
 
     Beside hair that hung straight down before the ears, these would show as dark stripes beside the face.
     """
@@ -183,7 +183,7 @@ def _to_the_cheeks(anatomy: Anatomy, place: Array) -> Array:
 
 
 def _turned_in(anatomy: Anatomy, place: Array) -> Array:
-    """Return what directions (S, 3) of hair at places (S, 3) gain towards the neck: ends turn in."""
+    """Return the change of directions (S, 3) of hair at places (S, 3) towards the neck: ends turn in."""
     u = anatomy.unit
     low = smoothstep(float(anatomy.mouth[1]) + 16.0 * u, anatomy.chin + 4.0 * u, place[:, 1])
     inwards = np.stack([-place[:, 0], np.zeros(len(place)), AXIS * u - place[:, 2]], axis=1)

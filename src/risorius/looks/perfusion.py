@@ -44,7 +44,7 @@ _NEGLIGIBLE = 0.004  # a quad with a smaller share of a vertex's area is left ou
 
 
 class SkinBlood(NamedTuple):
-    """How blood shows at each vertex of the skin (N1,).
+    """The visibility of blood at each vertex of the skin (N1,).
 
     flesh   how much of the change is seen, outside the lips; `lips` on them
     folded  the part of its gain that skin gets where it is bunched, -1 to 1

@@ -1,4 +1,4 @@
-"""How brows and lashes go along with the skin: they turn with the triangles in which they are rooted."""
+"""Brows and lashes on the moving skin: they turn with the triangles in which they are rooted."""
 
 from __future__ import annotations
 

@@ -175,7 +175,7 @@ def grow_layers(
 
 
 class HairRoots(NamedTuple):
-    """Where hairs leave the skin, and how long they grow.
+    """The roots of hairs, and the length to which they grow.
 
     origin  (n, 3) mm
     normal  (n, 3) of the skin, unit length

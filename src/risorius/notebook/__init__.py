@@ -1,1 +1,1 @@
-"""A take for those who look at it in a notebook: a page, a figure, a table."""
+"""A take shown in a notebook: a page, a figure, a table."""

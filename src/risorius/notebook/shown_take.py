@@ -1,4 +1,4 @@
-"""What a notebook shows of a take, and the curves that are worth a line."""
+"""A take as a notebook shows it, and the curves that are worth a line."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _LEAST = 0.05  # that a curve moves, to be shown
 
 
 class ShownTake(Protocol):
-    """A performance with what is said, as `Take` is one."""
+    """A performance with its utterance, as a `Take` is."""
 
     @property
     def performance(self) -> Performance:
@@ -27,11 +27,11 @@ class ShownTake(Protocol):
 
     @property
     def utterance(self) -> Utterance | None:
-        """What is said; None if nothing is."""
+        """The utterance; None if nothing is said."""
 
     @property
     def audio(self) -> Audio | None:
-        """The sound that is heard; None if there is none."""
+        """The sound that is heard; None for a silent take."""
 
 
 def liveliest(performance: Performance) -> dict[str, Array]:

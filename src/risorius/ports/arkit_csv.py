@@ -45,7 +45,7 @@ from .writable import WritableTake, WriteOptions
 
 APP_RATE = 60.0  # frames per second of the app's takes
 _CLOCK = 4  # numbers of a time code, the first of each row
-_OPEN = 0.02  # of the jaw's way: less is no opening that lips could close
+_OPEN = 0.02  # share of the jaw's way: a smaller opening cannot be closed by the lips
 DAY = 86_400.0  # s; a take may go on past midnight
 _TIMECODE = re.compile(r"(\d{1,4}):(\d{2}):(\d{2})[:;](\d{1,6}(?:\.\d{1,9})?)")
 COLUMNS = ("Timecode", "BlendshapeCount", *CSV_SHAPES, *ROTATIONS)
@@ -54,7 +54,7 @@ _ORDER = [INDEX[name[0].lower() + name[1:]] for name in CSV_SHAPES]
 
 
 def write_arkit_csv(take: WritableTake, path: Path, options: WriteOptions) -> None:
-    """Write one row per frame, ten decimals; raise OutputError where the head has no ARKit shapes."""
+    """Write one row per frame, ten decimals; raise OutputError if the head has no ARKit shapes."""
     write_lines(path, rows(take.fit_arkit(options.progress), take.performance.fps))
 
 
@@ -83,7 +83,7 @@ def timecode(number: int, fps: Fraction) -> str:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ArkitTake:
-    """What a CSV holds: times (n,) in seconds, weights (n, 52) in ARKit's order, rotations (n, 9) radians."""
+    """Values of a CSV: times (n,) in seconds, weights (n, 52) in ARKit's order, rotations (n, 9) radians."""
 
     times: Array
     weights: Array
@@ -93,9 +93,9 @@ class ArkitTake:
 def read_arkit_csv(path: Path) -> ArkitTake:
     """Read a take of Live Link Face, or one written here; columns are found by name, in any order.
 
-    Weights are brought within 0 to 1; rotations that are not there are 0. Raises InputError for a column that
-    is missing or unknown, a row that counts other values than it has, a cell that is no number or no angle, a
-    time code that is none or goes back.
+    Weights are brought within 0 to 1; missing rotations are 0. Raises InputError for a column that is
+    missing or unknown, a row whose count of values is wrong, a cell that is not a number or an angle, and a
+    time code that cannot be read or goes back.
     """
     table = read_table(path, _columns, COLUMNS)
     weights = table.values[:, _CLOCK : _CLOCK + len(SHAPES)]
@@ -122,7 +122,7 @@ def read_arkit_capture(path: Path, options: ReadOptions) -> ScoreFile:
     gap = load_lip_rig(head.folder).gap({name: values[:, PARAMETER[name]] for name in OPENING})
     gap = np.maximum(gap, 0.0)
     seal = seal_of(closed * gap, (1.0 - closed) * gap)
-    # What is closed wholly stays so, however wide the jaw's gap.
+    # A fully closed mouth stays closed, however wide the jaw's gap.
     values[:, PARAMETER["lip_seal"]] = np.where(closed < 1.0, seal, 1.0)
     values[:, PARAMETER["tongue_out"]] = take.weights[:, INDEX["tongueOut"]]
     degrees = np.degrees(take.rotations)
@@ -147,11 +147,11 @@ def _columns(header: Header) -> list[Column]:
 
 
 def _counter(right: Collection[str], here: int) -> Parse:
-    """Return what checks that a row says how many values it holds; nothing is kept of it."""
+    """Return the check that a row gives its number of values; nothing is kept of it."""
 
     def check(text: str) -> tuple[()]:
         if text not in right:
-            raise ValueError(f"expected {here}, as there are columns")
+            raise ValueError(f"expected {here}, the number of columns")
         return ()
 
     return check
@@ -172,7 +172,7 @@ def _times(table: Table) -> Array:
 
 
 def _rate(seconds: Array, frames: Array) -> float:
-    """Return the frames of a second: as fit evenly where one ends, or the app's rate."""
+    """Return the frames of a second: as fit evenly if one ends, or the app's rate."""
     step, whole = np.diff(frames), np.diff(seconds)
     ends = whole == 1.0
     if not ends.any():

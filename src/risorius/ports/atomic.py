@@ -44,7 +44,7 @@ def replacing(path: Path) -> Iterator[Path]:
 
 
 def os_failure(path: Path, error: OSError) -> OutputError:
-    """Word what the system said as one line about `path`."""
+    """Return the system's message as one line about `path`."""
     if error.errno in _FULL:
         return DiskFullError("no space left on the disk; nothing was written", Place(str(path)))
     message = f"cannot be written: {error.strerror or error}"
@@ -73,7 +73,7 @@ def remove_temporaries(folder: Path, run: str) -> None:
 
 @cache
 def _sweep(folder: Path) -> None:
-    """Remove what killed processes left in a folder, once for each folder."""
+    """Remove the files that killed processes left in a folder, once for each folder."""
     with suppress(OSError):
         for left in folder.glob(f"{_BEGINNING}*{_TEMPORARY}"):
             if time.time() - left.stat().st_mtime > _OLD:

@@ -106,7 +106,7 @@ def pose_angles(turn: Array) -> tuple[float, float, float]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ActionUnitTake:
-    """What a CSV holds: times (n,) s, intensities (n,) 0..1 by unit, head and gaze (n, 3) and (n, 2) degrees.
+    """Values of a CSV: times (n,) s, intensities (n,) 0..1 by unit, head and gaze (n, 3) and (n, 2) degrees.
 
     `head` is pitch, yaw, roll, `gaze` pitch and yaw of the eyes in the head.
     """
@@ -121,7 +121,7 @@ def read_au_csv(path: Path) -> ActionUnitTake:
     """Read action units, pose and gaze of OpenFace's CSV (of a sequence); other columns are passed over.
 
     Frames in which no face was found (`success` 0) hold the one before. Raises InputError for columns that
-    are missing, units that we do not know, and cells that are no numbers.
+    are missing, units that we do not know, and cells that are not numbers.
     """
     table = read_table(path, _columns, COLUMNS)
     units = {int(name[2:-2]): name for name in table.names if _UNIT.fullmatch(name)}

@@ -17,7 +17,7 @@ BLOCK = 32  # frames that are compared with the shapes at once: the shapes are r
 
 @dataclass
 class ClipBasis:
-    """Shapes that span what was shown of `points` (n, 3), within `tolerance` mm, `most` at most.
+    """Shapes that span the frames shown of `points` (n, 3), within `tolerance` mm, `most` at most.
 
     A frame that the shapes so far do not make joins them, less what they make of it (Gram-Schmidt); so one
     pass is enough and memory does not grow with the clip. At the end the shapes are turned to their
@@ -104,7 +104,7 @@ class ClipBasis:
         return shapes.reshape(len(turn), *self.rest.shape), turned / scale
 
     def _drop(self, weights: Array, shapes: Float32Array) -> None:
-        """Count what shapes that are left out leave over: its distances add to those there were at most."""
+        """Count the rest that omitted shapes leave: its distances add to the largest ones so far."""
         if not len(shapes):
             return
         for number, errors in enumerate(self._errors):
@@ -119,12 +119,12 @@ class ClipBasis:
 
     @property
     def residual(self) -> tuple[float, float]:
-        """After `finish`: root mean square and worst distance in mm of the frames from what shapes make."""
+        """After `finish`: root mean square and worst distance in mm of the frames from the sums of shapes."""
         errors = np.concatenate(self._errors)
         return float(np.sqrt(errors[:, 0].mean())), float(errors[:, 1].max())
 
     def _split(self, rest: Float32Array, weights: Float32Array) -> None:
-        """Take what the shapes so far make out of some frames `rest` (k, 3 n), and add their weights."""
+        """Take the part of the shapes so far out of some frames `rest` (k, 3 n), and add their weights."""
         shapes = self._shapes[: self._count]
         made = rest @ shapes.T
         weights[:, : self._count] += made

@@ -1,4 +1,4 @@
-"""Captured faces read back: what the readers of formats have in common.
+"""Captured faces read back: the shared parts of the readers of formats.
 
 Files are read row by row, and only the numbers that are asked for are kept.
 """
@@ -25,7 +25,7 @@ from ..errors import InputError, Place
 from .readable import ScoreFile
 
 Parse = Callable[[str], Sequence[float]]
-"""Reads a cell; raises ValueError saying what was expected."""
+"""Reads a cell; raises ValueError with the expected form."""
 
 HEAD_ANGLES = [INDEX[f"head_{angle}"] for angle in ("pitch", "yaw", "roll")]
 GAZE_ANGLES = [INDEX["gaze_pitch"], INDEX["gaze_yaw"]]
@@ -55,7 +55,7 @@ def radians(text: str) -> tuple[float]:
 
 @dataclass(frozen=True, slots=True)
 class Column:
-    """A column that is wanted: its name, what reads a cell, and how many numbers that gives."""
+    """A wanted column: its name, the reader of its cells, and the count of numbers from each."""
 
     name: str
     parse: Parse = number
@@ -76,7 +76,7 @@ class Header:
         return Place(str(self.path), self.line, _position(self.text, self.names.index(name)))
 
     def require(self, wanted: Sequence[str], kind: str) -> None:
-        """Raise InputError, naming the nearest column that there is, where one of `wanted` is missing."""
+        """Raise InputError, naming the nearest column that there is, if one of `wanted` is missing."""
         for name in wanted:
             if name not in self.names:
                 near = difflib.get_close_matches(name, self.names, n=1)
@@ -151,7 +151,7 @@ def _header(path: Path, lines: Iterator[tuple[int, str]], spelled: Mapping[str, 
 
 
 def _fault_of(name: str, before: Sequence[str]) -> str:
-    """Say what is wrong with a column's name by itself; nothing if all is well."""
+    """Return the fault of a column's name by itself, if any."""
     if not name:
         return "a column has no name"
     if name[0] in "0123456789-+.":
@@ -168,7 +168,7 @@ def _read_row(
     """Append the numbers of a row."""
     cells = _cells(line, place)
     if len(cells) != len(header.names):
-        raise InputError(f"has {len(cells)} values; expected {len(header.names)}, as the header", place)
+        raise InputError(f"has {len(cells)} values; expected {len(header.names)}, as in the header", place)
     for index, column in chosen:
         try:
             values.extend(column.parse(cells[index]))
@@ -186,7 +186,7 @@ def _cells(line: str, place: Place) -> tuple[str, ...]:
 
 
 def _position(line: str, index: int) -> int | None:
-    """Return where a cell begins in its line, from 1; None where quotes hide it."""
+    """Return where a cell begins in its line, from 1; None if quotes hide it."""
     if '"' in line:
         return None
     cells = line.split(",")
@@ -210,7 +210,7 @@ def score_of_capture(times: Array, values: Array, source: str) -> ScoreFile:
 
 
 def check_times(times: Array, path: Path, lines: Sequence[int]) -> Array:
-    """Return times from 0 on; raise InputError where one does not come after the one before, or too late."""
+    """Return times from 0 on; raise InputError if one does not come after the one before, or too late."""
     wrong = np.flatnonzero(np.diff(times) <= 0.0)
     if len(wrong):
         line = lines[int(wrong[0]) + 1]

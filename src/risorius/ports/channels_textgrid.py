@@ -49,7 +49,7 @@ def _apart(movements: list[Movement]) -> list[list[Label]]:
 
 
 def label(movement: Movement) -> str:
-    """Return a movement in a few words: what it moves, both sides as one, with the largest value."""
+    """Return a movement in a few words: its parameters, both sides as one, with the largest value."""
     values: dict[str, float] = {}
     for name, value in movement.targets.items():
         base = name.partition(".")[0]

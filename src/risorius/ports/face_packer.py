@@ -1,4 +1,4 @@
-"""Faces as binary messages: what moves in each frame, as whole hundredths of a millimetre.
+"""Faces as binary messages: the moving points of each frame, as whole hundredths of a millimetre.
 
 Little-endian. Header of 6 uint32: kind (1 a take's frames, 2 a dialled face, 3 the face at a time), take (or
 the request's number), first frame, count, vertices per frame, floats of pose per frame. Then the poses,
@@ -40,7 +40,7 @@ PARTS = (*_OWN, *FACIAL_HAIRS)
 
 
 class FacePacker:
-    """How a head's faces are packed."""
+    """The layout in which a head's faces are packed."""
 
     def __init__(self, head: Head) -> None:
         self.head = head
@@ -62,7 +62,7 @@ class FacePacker:
             first += count
 
     def described(self) -> StageTable:
-        """Return what a page needs to unpack faces."""
+        """Return the table that a page needs to unpack faces."""
         return StageTable(
             vertices=self.vertices,
             pose=POSE,

@@ -2,7 +2,7 @@
 
 A header `2.1 name fps frames`, then two lines per frame: 68 flags, and the frame's number with a whole number
 for each flag that is 1. Only low-level parameters (3 to 68) are set. Lost: cheeks, chin boss, ears, wrinkles,
-fractions of a unit, and frame rates that are no whole number (rounded).
+fractions of a unit, and frame rates that are not whole numbers (rounded).
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ def _lines(take: WritableTake, progress: Progress) -> Iterator[str]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FapTake:
-    """What a file holds: times (n,) in seconds, values (n, 68), 0 where masked out, and which are used."""
+    """The values of a file: times (n,) in seconds, values (n, 68), 0 where masked out, and which are used."""
 
     times: Array
     values: Array
@@ -67,7 +67,7 @@ class FapTake:
 def read_fap(path: Path) -> FapTake:
     """Read a `.fap` file with masks of 68 or 69 flags (Greta writes one more than the standard).
 
-    A value that is masked out holds the last one. Raises InputError where the header, a mask or a count is
+    A value that is masked out holds the last one. Raises InputError if the header, a mask or a count is
     wrong, or a frame's number does not come after the one before.
     """
     lines = ((at, line.split()) for at, line in read_lines(path) if line.strip())

@@ -32,7 +32,7 @@ _COLUMNS = ("suffix", "description", "needs")  # what `register` has before its 
 
 
 class Need(StrEnum):
-    """What a format is made from, and so which stages must run for it."""
+    """The data that a format is made from; it determines which stages must run."""
 
     MOVEMENTS = "movements"
     CURVES = "curves"
@@ -44,7 +44,7 @@ class Need(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class FileFormat:
-    """A format: its suffix with the leading dot, what it holds, and what it needs to be written.
+    """A format: its suffix with the leading dot, its contents, and the data from which it is written.
 
     `module`: the name of the module that writes and reads it. `opaque`: it shows pictures and has no place
     for an alpha channel. `read_suffixes`: the suffixes of files that are read as this format; none if it is
@@ -66,10 +66,10 @@ class FileFormat:
         self._functions()[0](take, path, options)
 
     def read(self, path: Path, options: ReadOptions) -> PlayedFile:
-        """Return what a file of this format holds; the format's module is imported if it is not yet."""
+        """Return the contents of a file; the format's module is imported if it is not yet."""
         reader = self._functions()[1]
         if reader is None:
-            raise ValueError(f"{self.suffix} is only written")
+            raise ValueError(f"{self.suffix} files can be written, but not read")
         return reader(path, options)
 
     def _functions(self) -> tuple[Writer, Reader | None]:

@@ -30,7 +30,7 @@ from .gltf import Animation, Gltf, quaternions
 from .writable import WritableTake, WriteOptions
 
 GENERATOR = "Risorius"
-_SMALL = 1e-3  # mm: displacements below it are none
+_SMALL = 1e-3  # mm: smaller displacements count as zero
 _SHOWN = ("skin", "tongue", "teeth_lower", "lashes")
 """Parts whose points in each frame make a clip's shapes. Brows turn little: they follow the skin's shapes."""
 
@@ -65,7 +65,7 @@ def write_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
 
 
 def write_rig_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
-    """Write the clip as weights of the 52 ARKit shapes; raise HeadError where the head has none."""
+    """Write the clip as weights of the 52 ARKit shapes; raise HeadError if the head has none."""
     head, track = take.shown_head, take.fit_arkit(options.progress)
     rms, worst = track.residual
     gltf = Gltf(**_asset(options, residual_rms_mm=round(rms, 4), residual_worst_mm=round(worst, 4)))
@@ -78,7 +78,7 @@ def write_rig_glb(take: WritableTake, path: Path, options: WriteOptions) -> None
 
 
 def rig_scene(head: Head, gltf: Gltf) -> GlbScene:
-    """Build the head at rest with its 52 shapes as morph targets; raise HeadError where it has none."""
+    """Build the head at rest with its 52 shapes as morph targets; raise HeadError if it has none."""
     model, shapes = head_model(head), arkit_shapes(head)
     parts, hairs = model.parts(), RidingHairs(model)
     moving = {name: _moves(hairs, _shape(shapes, index)) for index, name in enumerate(SHAPES)}
@@ -136,7 +136,7 @@ def animate(scene: GlbScene, times: Array, weights: Mapping[str, Array], turns: 
 
 
 def _moves(hairs: RidingHairs, moved: Mapping[str, Array]) -> dict[str, Array]:
-    """Return displacements by part: those given, and of the hairs on the skin; none for what stays."""
+    """Return displacements by part: those given, and of the hairs on the skin; none for resting parts."""
     everything = {**moved, **hairs.moves(moved["skin"])}
     return {name: move for name, move in everything.items() if np.abs(move).max() > _SMALL}
 

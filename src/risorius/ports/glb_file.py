@@ -25,7 +25,7 @@ class GlbFile:
     binary: bytes
 
     def morph_targets(self) -> dict[int, tuple[str, ...]]:
-        """Return the names of morph targets by mesh; raise InputError where names and targets differ."""
+        """Return the names of morph targets by mesh; raise InputError if names and targets differ."""
         targets_by_name = {}
         for index, mesh in enumerate(self._list("meshes")):
             targets = [len(self._part(p, "targets", index)) for p in self._part(mesh, "primitives", index)]
@@ -45,7 +45,7 @@ class GlbFile:
     def extended(self) -> dict[str, Any]:
         """Return a copy of the document to which accessors, their views and animations can be added.
 
-        Raises InputError where what stands there is none, or its first buffer is not the file's own.
+        Raises InputError if one of these is not a list, or the first buffer is not the file's own.
         """
         lists = {kind: [*self._list(kind)] for kind in ("accessors", "bufferViews", "animations", "buffers")}
         if any("uri" in buffer for buffer in lists["buffers"][:1]) or (lists["buffers"] and not self.binary):
@@ -59,7 +59,7 @@ class GlbFile:
         return entries
 
     def _part(self, holder: object, kind: str, mesh: int) -> list[Any]:
-        """Return a list within a mesh, empty where it is not there."""
+        """Return a list within a mesh, empty if it is not there."""
         part = holder.get(kind, []) if isinstance(holder, dict) else None
         if not isinstance(part, list):
             raise self._fault(f"'{kind}' of mesh {mesh} is not a list; expected one")

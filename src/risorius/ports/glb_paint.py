@@ -1,4 +1,4 @@
-"""What a file tells of a head's colours to programs whose lamps cast no fine shadows.
+"""A head's colours in a file for programs whose lamps cast no fine shadows.
 
 Our renderers find for each picture how much light comes past the lips, lids and hair, and where the cloth
 begins. Engines light a glTF by its material alone. So the shade of an open mouth and of hair is in the
@@ -70,7 +70,7 @@ class GlbPaint:
         return np.stack([across, 0.25 + 0.5 * self._light[:, 0]], axis=1)
 
     def skin_picture(self, part: Part) -> ByteArray:
-        """Return what the skin's colours are multiplied by, sRGB (2, n, 3): 1 but where cloth is."""
+        """Return the factors on the skin's colours, sRGB (2, n, 3): 1 but where cloth is."""
         row = np.where(_columns()[:, None] > 0.0, self._worn(part), 1.0)
         return np.round(255.0 * srgb_encode(np.stack([row, row]))).astype(np.uint8)
 
@@ -105,7 +105,7 @@ class GlbPaint:
         return shown(linear(self.head.identity.looks.cloth))
 
     def _worn(self, part: Part) -> Array:
-        """Return what the cloth (3,) makes of the skin's colour at the neckline, at most 1."""
+        """Return the factors (3,) of the cloth on the skin's colour at the neckline, at most 1."""
         bare = shown(part.attributes[np.abs(self._depth) < HEM, ALBEDO : ALBEDO + 3]).mean(axis=0)
         return np.asarray(np.clip(self._cloth / bare, 1e-3, 1.0))
 
@@ -118,7 +118,7 @@ class GlbPaint:
 
 
 def shown(albedo: FloatArray) -> Array:
-    """Return the colours (…, 3), 0 to 1, in which white light shows what our studio's shows of albedos."""
+    """Return the colours (…, 3), 0 to 1, that look in white light as albedos do in our studio's light."""
     lamps = sum(max(lamp.direction()[2], 0.0) * np.mean(lamp.colour) for lamp in STUDIO.lamps)
     light = lamps + 0.5 * np.mean(STUDIO.sky) + 0.5 * np.mean(STUDIO.ground)  # on what faces the camera
     return film(light * np.clip(albedo, 0.0, 1.0)) / float(film(np.asarray(light)))

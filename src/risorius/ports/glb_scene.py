@@ -23,7 +23,7 @@ _EYES = ("eye_left", "eye_right")
 
 @dataclass
 class GlbScene:
-    """What has been built: the document, nodes by name, and which nodes have which morph targets by name.
+    """A scene that has been built: the document, nodes by name, and the nodes of each morph target by name.
 
     `parts` as `HeadModel.parts` gives them; `posed` are points (n, 3) mm of parts that are not at rest;
     `moving` are displacements (n, 3) mm of parts by morph target: {"jawOpen": {"skin": …, "tongue": …}}.
@@ -160,7 +160,7 @@ class GlbScene:
 
 
 def normals(points: Array, triangles: IntArray) -> Array:
-    """Return unit normals (n, 3) of a mesh's vertices; up where no triangle has an area."""
+    """Return unit normals (n, 3) of a mesh's vertices; up if no triangle has an area."""
     a, b, c = (points[triangles[:, k]] for k in range(3))
     across = np.cross(b - a, c - a)
     total = np.stack(

@@ -20,7 +20,7 @@ STEP = 0.01
 
 
 class HeadFolds:
-    """Where the wrinkles of a head lie.
+    """The places of a head's wrinkles.
 
     If more than SLOTS regions meet, the two that share the fewest vertices have one slot: there, at the
     borders of both, where they fade, the weaker of them is left out. `left_out` counts these vertices.
@@ -36,7 +36,7 @@ class HeadFolds:
         self._rows, self._regions = np.nonzero(((masks > 0.0) & self._near).T)
 
     def described(self) -> StageFolds:
-        """Return what a page needs to know of them."""
+        """Return the table of them that a page needs."""
         styles = tuple(tuple(row) for row in self._creases.style.astype(float).tolist())
         return StageFolds(len(self._rows), STEP, SLOTS, styles)
 

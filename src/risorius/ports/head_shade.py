@@ -1,4 +1,4 @@
-"""The light that the page draws a head in: the library's own, and what the head at rest keeps from itself."""
+"""The light in which the page draws a head: the library's own, and the shade of the resting head."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def blood() -> StageBlood:
 
 
 def shade(head: Head) -> bytes:
-    """Return what each vertex of the skin sees of the light at rest, its cloth, its blood and its gloss.
+    """Return for each vertex of the skin its light at rest, its cloth, its blood and its gloss.
 
     uint8 (vertices, 1 + lamps + 1 + 3 + 4): the share of the surroundings and of each lamp that it sees, 255
     for 1, of the first lamp for what hair leaves of it; then 128 at the neckline, one more for each

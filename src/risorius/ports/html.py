@@ -95,7 +95,7 @@ def _facts(take: WritableTake) -> dict[str, Any]:
 
 
 def _lanes(score: Score) -> Iterator[dict[str, Any]]:
-    """Yield the channels with their movements: label, start, end and what they move."""
+    """Yield the channels with their movements: label, start, end and moved parameters."""
     for channel in CHANNELS:
         blocks = [
             [m.cause.trigger or m.label, m.start, m.end, m.cause.rule, dict(m.parameters)]

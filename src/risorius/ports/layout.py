@@ -15,7 +15,7 @@ _SURROGATE = re.compile("[\ud800-\udfff]")
 
 
 def to_record(item: Any) -> dict[str, Any]:
-    """Return a dataclass of texts, numbers and flags as an object; what has its default is left out."""
+    """Return a dataclass of texts, numbers and flags as an object, without fields at their defaults."""
     values = {f.name: (getattr(item, f.name), f.default) for f in fields(item)}
     return {name: value for name, (value, default) in values.items() if value != default}
 
@@ -47,7 +47,7 @@ def _pieces(value: Any, indent: str) -> Iterator[str]:
 
 
 def _spread(value: Any) -> bool:
-    """Whether the parts of a value stand on lines of their own: lists of objects, and what holds them."""
+    """Whether the parts of a value stand on lines of their own: lists of objects, and their holders."""
     if isinstance(value, list):
         return any(isinstance(item, dict) for item in value)
     if isinstance(value, dict):

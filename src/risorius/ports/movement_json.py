@@ -171,7 +171,7 @@ class ManualEntry:
 
 
 def _kind_of(members: Mapping[str, Any]) -> Any:
-    """Return what an entry's keys say that it is: with `phone` a lip segment, with `keys` a manual curve."""
+    """Return the kind of an entry by its keys: with `phone` a lip segment, with `keys` a manual curve."""
     channel = members.get("channel")
     if isinstance(channel, str) and channel not in CHANNELS:
         raise MisfitError(unknown("channel", channel, CHANNELS), "channel", kind=ParameterError)
@@ -187,7 +187,7 @@ Entry = Annotated[Movement | LipSegment | ManualCurve, ChooseType(_kind_of)]
 
 
 def entry_to_json(entry: Movement | LipSegment | ManualCurve) -> JsonObject:
-    """Return a movement, lip segment or manual curve as an object; what has its default is left out."""
+    """Return a movement, lip segment or manual curve as an object, without fields at their defaults."""
     if isinstance(entry, Movement):
         return _movement_to_json(entry)
     if isinstance(entry, LipSegment):

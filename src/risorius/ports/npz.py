@@ -1,6 +1,6 @@
 """`.npz` and `.vertices.npz`: everything as numpy arrays, the second with the skin of every frame.
 
-`time_s` (frames,), `values` (frames, 46) and their `names`, `fps` as numerator and denominator, and where it
+`time_s` (frames,), `values` (frames, 46) and their `names`, `fps` as numerator and denominator, and if it
 is asked for `skin` (frames, N1, 3) float32 in mm in the head frame, `skin_rest` and `skin_triangles`. The
 same performance gives the same bytes. Lost: causes, for which see `.performance.json`.
 """

@@ -1,4 +1,4 @@
-"""Faces of a performance as small as a page can unpack: what changes from frame to frame, deflated.
+"""Faces of a performance as small as a page can unpack: the changes from frame to frame, deflated.
 
 A chunk holds up to CHUNK faces. Each face is the difference, in steps of STEP mm, from the one before; the
 first of a chunk from the first of all, which is the difference from zero. A difference d is written as 2 d,
@@ -22,7 +22,7 @@ from .face_packer import FacePacker, pose_of
 
 CHUNK = 30
 COARSER = 4
-"""How many of the studio's steps are one of the page's; the heights of wrinkles have the studio's."""
+"""The number of the studio's steps in one of the page's; the heights of wrinkles have the studio's."""
 STEP = COARSER * face_packer.STEP
 
 

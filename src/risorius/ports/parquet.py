@@ -17,7 +17,7 @@ from .writable import WritableTake, WriteOptions
 
 
 def write_parquet(take: WritableTake, path: Path, options: WriteOptions) -> None:
-    """Write the table; raise OutputError where pyarrow is not installed."""
+    """Write the table; raise OutputError if pyarrow is not installed."""
     try:
         import pyarrow as pa
         from pyarrow import parquet

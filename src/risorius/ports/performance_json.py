@@ -38,7 +38,7 @@ class PerformanceDocument:
     score: ScoreDocument
 
     def performance_file(self, folder: Path = Path()) -> PerformanceFile:
-        """Return the performance, and what is said in it; its sound is looked for from `folder` on.
+        """Return the performance and its utterance; its sound is looked for from `folder` on.
 
         Raises as `ScoreDocument.score_file`, and MisfitError if a curve is missing, of another length or out
         of range.
@@ -87,7 +87,7 @@ def write_performance_json(take: WritableTake, path: Path, options: WriteOptions
 
 
 def read_performance_file(path: Path) -> PerformanceFile:
-    """Return the performance in a file, equal to the one that was written, and what is said in it.
+    """Return the performance in a file, equal to the one that was written, and its utterance.
 
     Raises InputError or ParameterError, with the place in the file, as `score_json.read_score_file`, and if a
     curve is missing, of another length or out of range.
@@ -102,7 +102,7 @@ def read_performance_file(path: Path) -> PerformanceFile:
 
 
 def read_performance_json(path: Path, _options: ReadOptions) -> PerformanceFile:
-    """Return what `read_performance_file` does: the table of formats calls this."""
+    """Return the result of `read_performance_file`: the table of formats calls this."""
     return read_performance_file(path)
 
 

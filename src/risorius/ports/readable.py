@@ -1,4 +1,4 @@
-"""What reading a file gives: a score or a performance, with what is said in it."""
+"""The result of reading a file: a score or a performance, with its utterance."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class ScoreFile:
-    """A file's movements or curves as a score, and what is said in it (None if nothing is)."""
+    """A file's movements or curves as a score, and its utterance (None if nothing is said)."""
 
     score: Score
     utterance: Utterance | None = None
@@ -25,7 +25,7 @@ class ScoreFile:
 
 @dataclass(frozen=True, slots=True)
 class PerformanceFile:
-    """A file's performance, its curves as written, and what is said in it (None if nothing is)."""
+    """A file's performance, its curves as written, and its utterance (None if nothing is said)."""
 
     performance: Performance
     utterance: Utterance | None = None
@@ -41,7 +41,7 @@ PlayedFile = ScoreFile | PerformanceFile
 
 @dataclass(frozen=True, slots=True)
 class ReadOptions:
-    """What a reader may need beside the file.
+    """Options of a reader, beside the file.
 
     `head` loads the head that will perform; it is called when the file is known to be right, and only by
     formats that are fitted to a face. `progress` is called before long work.

@@ -1,4 +1,4 @@
-"""What Rhubarb Lip Sync 1.14 does with mouth shapes that follow one another: pauses, and shapes in between.
+"""Timing of mouth shapes as in Rhubarb Lip Sync 1.14: pauses, and shapes in between.
 
 Figures from its sources (Wolf, pauseAnimation.cpp, tweening.cpp, animationRules.cpp): a short pause holds or
 relaxes the mouth, and a mouth that closes, or rounds, goes by a shape in between for 0.04 to 0.08 s.
@@ -14,7 +14,7 @@ IDLE = "X"
 HELD, RELAXED = 0.12, 0.35  # s: pauses shorter than this hold the shape before, up to this relax it
 SHORTEST, LONGEST = 0.04, 0.08  # s that a shape in between lasts
 RELAXES = dict(zip("ABCDEFGHX", "ABBCCBXBX", strict=True))
-# What stands between two shapes, and when: before the change, about it, or after it.
+# The shape between two shapes, and its time: before the change, about it, or after it.
 BETWEEN = {
     "DA": ("C", "before"),
     "DB": ("C", "about"),
@@ -28,11 +28,11 @@ BETWEEN = {
 }
 # Shares of the shape before and of the shape after that the one in between may take.
 _SHARES = {"before": (1 / 3, 0.0), "about": (1 / 8, 1 / 8), "after": (0.0, 1 / 3)}
-_EXACT = 1e-9  # s: a duration is no shorter than another by rounding
+_EXACT = 1e-9  # s: a smaller difference between durations is rounding
 
 
 def paused(cues: Sequence[Cue]) -> list[Cue]:
-    """Return the cues with what the mouth does in pauses between two others."""
+    """Return the cues with the mouth held or relaxed in pauses between two others."""
     result = list(cues)
     for k in range(1, len(cues) - 1):
         if cues[k].shape == IDLE:
@@ -71,7 +71,7 @@ def _in_pause(before: str, after: str, seconds: float) -> str:
 
 
 def _taken(first: Cue, second: Cue, when: str) -> tuple[float, float] | None:
-    """Return the seconds that a shape in between takes of both, None where it would be too short."""
+    """Return the seconds that a shape in between takes of both, None if it would be too short."""
     before, after = _SHARES[when]
     rooms = [
         (cue.end - cue.start) * (before + after) for cue, share in ((first, before), (second, after)) if share

@@ -31,14 +31,14 @@ _SIDES = {"l": "left", "r": "right", "lft": "left", "rgt": "right"}
 
 @dataclass(frozen=True, slots=True)
 class ShapeMap:
-    """What a map's file says: names of a character's morph targets by ARKit's names."""
+    """A map's file: names of a character's morph targets by ARKit's names."""
 
     shapes: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
 class MuscleCoverage:
-    """How well the character shows one of our parameters.
+    """The quality with which the character shows one of our parameters.
 
     `left_over`: the share 0..1 of its movement that the available shapes do not make, and `rms` that in mm,
     both measured on our head; `best` is the share that all 52 shapes would leave over.
@@ -51,7 +51,7 @@ class MuscleCoverage:
 
     @property
     def verdict(self) -> str:
-        """In a word: well, partly or not."""
+        """The quality in a word: well, partly or not."""
         return "well" if self.left_over <= WELL else "partly" if self.left_over <= PARTLY else "not"
 
 
@@ -76,9 +76,9 @@ class Rig:
 
 
 def read_rig(path: Path, map_file: Path | None = None) -> Rig:
-    """Read a character; the map is guessed from names where no file gives it.
+    """Read a character; the map is guessed from names if no file gives it.
 
-    Raises InputError where the file has no morph targets, or the map is wrong.
+    Raises InputError if the file has no morph targets, or the map is wrong.
     """
     file = read_glb(path)
     targets = file.morph_targets()
@@ -91,7 +91,7 @@ def read_rig(path: Path, map_file: Path | None = None) -> Rig:
 
 
 def _read_map(path: Path, names: Sequence[str]) -> dict[str, str]:
-    """Return a map; InputError where it is empty, or a name is unknown or a target given twice."""
+    """Return a map; InputError if it is empty, or a name is unknown or a target given twice."""
     source = SourceText(str(path), read_text(path))
     shapes = parse(ShapeMap, source.text, source.name).shapes
     if not shapes:
@@ -110,7 +110,7 @@ def _read_map(path: Path, names: Sequence[str]) -> dict[str, str]:
 
 
 def check_performable(rig: Rig) -> None:
-    """Raise InputError where nothing of a performance would show on a character."""
+    """Raise InputError if nothing of a performance would show on a character."""
     place = Place(str(rig.file.path))
     if not rig.shapes:
         raise InputError("no morph target has the name of an ARKit shape; expected --map FILE", place)

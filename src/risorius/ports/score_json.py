@@ -47,7 +47,7 @@ class ScoreDocument:
     speech: SpeechDocument | None = None
 
     def score_file(self, folder: Path = Path()) -> ScoreFile:
-        """Return the score, and what is said in it; its sound is looked for from `folder` on.
+        """Return the score and its utterance; its sound is looked for from `folder` on.
 
         Raises InputError, ParameterError or MisfitError for what is contradictory, and for a missing sound.
         """
@@ -74,7 +74,7 @@ def write_score_json(take: WritableTake, path: Path, options: WriteOptions) -> N
 
 
 def read_score_file(path: Path) -> ScoreFile:
-    """Return the score in a file, equal to the one that was written, and what is said in it.
+    """Return the score in a file, equal to the one that was written, and its utterance.
 
     Raises InputError or ParameterError, with the place in the file, for anything unknown, missing, of another
     type, out of range or contradictory, and for a sound that is missing.
@@ -86,7 +86,7 @@ def read_score_file(path: Path) -> ScoreFile:
 
 
 def read_score_json(path: Path, _options: ReadOptions) -> ScoreFile:
-    """Return what `read_score_file` does: the table of formats calls this."""
+    """Return the result of `read_score_file`: the table of formats calls this."""
     return read_score_file(path)
 
 

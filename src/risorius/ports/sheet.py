@@ -1,4 +1,4 @@
-"""A contact sheet: every so many frames with their numbers (as paper A, Figure 7) and times."""
+"""A contact sheet: every n-th frame with its number (as paper A, Figure 7) and time."""
 
 from __future__ import annotations
 

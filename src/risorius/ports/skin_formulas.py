@@ -122,7 +122,7 @@ _HIGHEST = 5.0  # of the grain's heights, whose variance is 1: 127 steps
 
 
 def shading() -> StageShading:
-    """Return what a page shades skin by."""
+    """Return the data by which a page shades skin."""
     sizes = CELLS, subsurface.ANGLES, subsurface.CURVATURES
     return StageShading(glsl_of(_FUNCTIONS, _CONSTANTS), *sizes, _HIGHEST, eye.LID_STEPS, mouth.LIP_STEPS)
 

@@ -23,7 +23,7 @@ _SAMPLE_RATE = 22_050
 
 @dataclass(frozen=True, slots=True)
 class SpeechDocument:
-    """What is said, as a score's file has it; `audio` is the way from the file's folder to the sound."""
+    """The utterance in a score's file; `audio` is the sound's path relative to the file's folder."""
 
     language: str
     phones: tuple[Phone, ...]
@@ -38,7 +38,7 @@ class SpeechDocument:
     sample_rate: Annotated[int, Range(1, 768_000)] = _SAMPLE_RATE
 
     def utterance(self, folder: Path, duration: float) -> Utterance:
-        """Return what is said; the sound is looked for from `folder` on.
+        """Return the utterance; the sound is looked for from `folder` on.
 
         Without `audio` it is silent, as long as the phones. `duration` is the score's, in seconds. Raises
         MisfitError, also if the phones do not cover the sound.
@@ -58,7 +58,7 @@ class SpeechDocument:
             ) from None
 
     def _check_parts(self) -> None:
-        """Raise MisfitError for what ends before it starts, and for a part that is not there."""
+        """Raise MisfitError for a part that ends before it starts, and for a missing part."""
         for name, is_within in _REFERENCES.items():
             for number, part in enumerate(getattr(self, name)):
                 if not is_within(part, self):
@@ -115,7 +115,7 @@ def _audio(name: str, folder: Path) -> Audio:
         with wave.open(str(path), "rb") as file:
             form = (file.getnchannels(), file.getsampwidth(), file.getframerate() > 0)
             if form != (1, 2, True):
-                raise MisfitError(f"'{name}' is not 16-bit mono; expected such a WAV file", "audio")
+                raise MisfitError(f"'{name}' is not 16-bit mono; expected a 16-bit mono WAV file", "audio")
             return Audio(path, file.getframerate(), file.getnframes())
     except (OSError, EOFError, ValueError, wave.Error) as error:
         reason = getattr(error, "strerror", None) or str(error) or "not a WAV file"

@@ -1,4 +1,4 @@
-"""How a page unpacks the faces of a head, and in which light it draws them."""
+"""The table by which a page unpacks the faces of a head, and the light in which it draws them."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class StageLight:
 
 @dataclass(frozen=True, slots=True)
 class StageBlood:
-    """How skin changes its colour, as `looks/perfusion.py` says it.
+    """Changes of the skin's colour, as computed in `looks/perfusion.py`.
 
     What the usual blood absorbs of red, green and blue in skin and in lips, and the least and the most that
     moving skin gains of the usual blood; how often the areas are smoothed by which this is known.
@@ -63,7 +63,7 @@ class StageBlood:
 
 @dataclass(frozen=True, slots=True)
 class StageFolds:
-    """The fine wrinkles of a head: how many heights a face has, in steps of so many mm.
+    """The fine wrinkles of a head: the number of heights of a face, in steps of `step` mm.
 
     There is room for those of `slots` regions at each vertex.
     `styles` has for each region of wrinkles its kind, the width of its furrows in mm, how dark these are, and
@@ -80,7 +80,7 @@ class StageFolds:
 class StageShadow:
     """The key lamp's shadow map: rows of the matrix that gives x and y in texels and mm towards the lamp.
 
-    It has `size` texels a side and is `depth` mm deep; what is no more than `bias` mm nearer casts no shadow.
+    It has `size` texels a side and is `depth` mm deep; a surface nearer by at most `bias` mm casts no shadow.
     """
 
     matrix: tuple[float, ...]
@@ -91,11 +91,11 @@ class StageShadow:
 
 @dataclass(frozen=True, slots=True)
 class StageShading:
-    """What skin is shaded by: the library's formulas as GLSL, and the sizes of its tables (`GET /api/skin`).
+    """The data that skin is shaded by: formulas as GLSL, and the sizes of the tables (`GET /api/skin`).
 
-    `grain` cells each way of the pores' heights, which are at most `highest`; light that leaves skin at so
-    many angles and curvatures. The margins of lids and lips are known at so many places from one corner to
-    the other.
+    `grain` cells each way of the pores' heights, which are at most `highest`; light that leaves skin, at
+    `angles` angles and `curvatures` curvatures. The margins of lids and lips are known at `lids` and `lips`
+    places from one corner to the other.
     """
 
     formulas: str

@@ -1,4 +1,4 @@
-"""`.srt .vtt`: what is said as subtitles. Lost: all but the words and their times.
+"""`.srt .vtt`: the words as subtitles. Lost: all but the words and their times.
 
 A cue holds as many phrases of a sentence as fit in two lines; a phrase that is longer is divided between
 words. A line has 42 characters at most, as broadcasters' guides to subtitles have it. Punctuation is that of
@@ -34,7 +34,7 @@ def subtitles(utterance: Utterance) -> Iterator[Cue]:
 
 
 def _divided(phrases: Sequence[Phrase], shown: Sequence[str]) -> Iterator[tuple[int, int]]:
-    """Yield ranges of words that fill a cue each: whole phrases of a sentence where they fit."""
+    """Yield ranges of words that fill a cue each: whole phrases of a sentence if they fit."""
     first = last = phrases[0].first_word
     for phrase in phrases:
         if last > first and not _fits(shown[first : phrase.last_word]):

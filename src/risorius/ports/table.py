@@ -34,5 +34,5 @@ def write_lines(path: Path, lines: Iterable[str]) -> None:
 
 
 def _without_negative_zero(values: Array, scale: Array) -> Array:
-    """Set what would print as -0.000 to 0, so that a sign of no meaning makes no different file."""
+    """Set values that would print as -0.000 to 0, so that a meaningless sign does not change the file."""
     return np.where(np.abs(values) * scale <= 0.5, 0.0, values)

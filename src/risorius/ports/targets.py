@@ -125,7 +125,7 @@ def _check_place(file: Path) -> None:
     place = Place(str(file))
     folder = file.parent
     if not folder.exists():
-        raise OutputError(f"the folder '{folder}' does not exist; expected one that does", place)
+        raise OutputError(f"the folder '{folder}' does not exist; expected an existing folder", place)
     if not folder.is_dir():
         raise OutputError(f"'{folder}' is not a folder", place)
     if file.exists() and not os.access(file, os.W_OK):

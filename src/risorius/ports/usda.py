@@ -28,11 +28,11 @@ from .gltf import quaternion
 from .writable import WritableTake, WriteOptions
 
 METRES = 0.001
-_SMALL = 1e-3  # mm: displacements below it are none
+_SMALL = 1e-3  # mm: smaller displacements count as zero
 
 
 def write_usda(take: WritableTake, path: Path, options: WriteOptions) -> None:
-    """Write the stage; raise OutputError where usd-core is not installed."""
+    """Write the stage; raise OutputError if usd-core is not installed."""
     try:
         from pxr import Usd
     except ImportError:

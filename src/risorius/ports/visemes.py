@@ -4,30 +4,32 @@ from __future__ import annotations
 
 import unicodedata
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
-from importlib import resources
 
 from ..core.frozen import FrozenDict
-from ..core.toml import parse_rows
+from ..core.toml import package_text, parse_rows
 from ..core.utterance import Phone, Utterance
 from ..errors import OutputError, SpeechWarning, warn
+from ..languages.phones import check_phones
+from ..languages.phonesets import IPA
 from .writable import WritableTake
 
 OCULUS = ("sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "ih", "oh", "ou")
 """The 15 visemes of OVRLipSync, in its order."""
+TABLE = "visemes.toml"
 NEUTRAL = "AH"
-"""What an unknown phone is shown as: the lips of a neutral vowel."""
+"""The phone shown for an unknown one: the lips of a neutral vowel."""
 
 
 @dataclass(frozen=True, slots=True)
 class Viseme:
-    """What a phone is in each set; two shapes are those of a diphthong's halves."""
+    """A phone's viseme in each set; two shapes are those of a diphthong's halves. `ipa`: its symbols."""
 
-    ipa: tuple[str, ...]
     rhubarb: tuple[str, ...]
     azure: int
     oculus: tuple[str, ...]
+    ipa: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,9 +43,11 @@ class Cue:
 
 @lru_cache(maxsize=1)
 def viseme_table() -> Mapping[str, Viseme]:
-    """Return the table by ARPAbet symbol without stress digit."""
-    text = (resources.files(__package__) / "data" / "visemes.toml").read_text(encoding="utf-8")
-    return FrozenDict(parse_rows(Viseme, text, "visemes.toml"))
+    """Return the table by ARPAbet symbol without stress digit; raise InputError if it lacks a phone."""
+    rows = parse_rows(Viseme, package_text(__package__, TABLE), TABLE)
+    check_phones(TABLE, rows)
+    own = {symbol: (IPA[symbol],) if symbol in IPA else () for symbol in rows}
+    return FrozenDict({symbol: replace(row, ipa=own[symbol] + row.ipa) for symbol, row in rows.items()})
 
 
 def viseme_of(symbol: str) -> Viseme:
@@ -75,7 +79,7 @@ def cues(utterance: Utterance, shapes: Callable[[Viseme], tuple[str, ...]], sile
 
 
 def said(take: WritableTake) -> Utterance:
-    """Return what is said; raise OutputError if nothing is."""
+    """Return the utterance; raise OutputError if nothing is said."""
     if take.utterance is None:
         raise OutputError("there is no speech to write; expected a performance that speaks")
     return take.utterance

@@ -29,7 +29,7 @@ _EYES_ABOVE_HEAD = 0.06
 
 
 def write_vrma(take: WritableTake, path: Path, options: WriteOptions) -> None:
-    """Write the animation; raise HeadError where the head has no ARKit shapes."""
+    """Write the animation; raise HeadError if the head has no ARKit shapes."""
     track, performance = take.fit_arkit(options.progress), take.performance
     gltf = Gltf(generator="Risorius")
     gltf.use(EXTENSION)

@@ -1,4 +1,4 @@
-"""What a writer receives: a take that can be written, and the options of the outputs."""
+"""Inputs of a writer: a take that can be written, and the options of the outputs."""
 
 from __future__ import annotations
 
@@ -32,11 +32,11 @@ class WritableTake(Protocol):
 
     @property
     def utterance(self) -> Utterance | None:
-        """What is said; None if nothing is."""
+        """The utterance; None if nothing is said."""
 
     @property
     def audio(self) -> Audio | None:
-        """The sound that is heard; None if there is none."""
+        """The sound that is heard; None for a silent take."""
 
     @property
     def shown_head(self) -> Head:
@@ -53,7 +53,7 @@ class WritableTake(Protocol):
         """
 
     def reasons(self, time: float) -> Sequence[str]:
-        """Return the lines that say why what moves at a time in seconds has its value."""
+        """Return the lines that say why each parameter that moves at a time in seconds has its value."""
 
     def measures(self, frame: FaceFrame) -> Sequence[float] | Array:
         """Return the numbers of `landmarks_csv.COLUMNS` after `time_s`, in that order."""
@@ -64,12 +64,12 @@ class WritableTake(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class WriteOptions:
-    """How outputs are written.
+    """The options of outputs.
 
     `size`: width and height of pictures in pixels. `at`: the time in seconds of a single picture, None for
-    the middle; `every`: a contact sheet of every so many frames instead. `alpha`: pictures have an alpha
+    the middle; `every`: a contact sheet of every n-th frame instead. `alpha`: pictures have an alpha
     channel; `draft`: films should rather be made soon than be small. `voice`: the sound file that a score
-    refers to, None if there is none. `progress` is called as the frames are made.
+    refers to, None without one. `progress` is called as the frames are made.
     """
 
     size: Size = (720, 720)

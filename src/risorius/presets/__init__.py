@@ -45,7 +45,7 @@ def values_of(names: tuple[str, ...]) -> dict[str, Any]:
 
 @cache
 def presets() -> Mapping[str, str]:
-    """Return what each preset is for, by its name."""
+    """Return the purpose of each preset, by its name."""
     return FrozenDict({name: read_tables(text, name)[_DESCRIPTION] for name, text in _texts().items()})
 
 
@@ -82,7 +82,7 @@ def _read(text: str, name: str) -> dict[str, Any]:
 
 
 def _names() -> dict[str, Row]:
-    """Return the settings by their names, and by their options' where these have a value."""
+    """Return the settings by their names, and by their options' if these have a value."""
     return dict(_named(rows(Settings).values()))
 
 

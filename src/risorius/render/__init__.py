@@ -1,4 +1,4 @@
-"""Pictures of a head: renderers behind one protocol, and what is drawn over their pictures."""
+"""Pictures of a head: renderers behind one protocol, and overlays on their pictures."""
 
 from .protocol import PictureInput, Renderer, RendererSetup, open_renderer
 

@@ -29,8 +29,8 @@ def backdrop(
 ) -> Float32Array:
     """Return display light (height, width, 3) float32 for `Look.background`: a colour or a picture's path.
 
-    If it is None, a gradient from `centre` to `edge` is drawn. Raises InputError for what is neither a colour
-    nor a picture.
+    If it is None, a gradient from `centre` to `edge` is drawn. Raises InputError for a text that is neither a
+    colour nor a picture.
     """
     if background is None:
         return gradient(width, height, centre, edge)
@@ -63,7 +63,7 @@ def _shaded(width: int, height: int, centre: ByteColour, edge: ByteColour) -> Fl
 
 
 def check_background(background: str) -> None:
-    """Raise InputError for what is neither a colour nor a picture that can be decoded."""
+    """Raise InputError for a text that is neither a colour nor a picture that can be decoded."""
     if is_file(Path(background)):
         with _opened(Path(background)) as image:
             image.load()
@@ -83,7 +83,7 @@ def _picture(path: Path, width: int, height: int) -> Float32Array:
 
 @contextmanager
 def _opened(path: Path) -> Iterator[Image]:
-    """Open a picture; raise InputError if it is too large, and for what the block finds wrong with it."""
+    """Open a picture; raise InputError if it is too large, or the block finds a fault in it."""
     from PIL import Image
 
     place = Place(str(path))

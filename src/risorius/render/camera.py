@@ -93,7 +93,7 @@ def project(points: Float32Array, matrix: Float32Array, xy: Int32Array, key: Flo
 def project_pairs(
     points: Float32Array, matrix: Float32Array, pairs: Int32Array, xy: Int32Array, key: Float32Array
 ) -> None:
-    """Do what `project` does for the points `pairs` (k,) and the next of each alone."""
+    """Project only the points `pairs` (k,) and the next of each."""
     for i in pairs:
         _project(points, matrix, i, xy, key)
         _project(points, matrix, i + 1, xy, key)

@@ -53,7 +53,7 @@ class HairViews:
         return self._sample * self._side >= _FINER * 2.0 * self._radius
 
     def seen(self, eye: FloatArray, rotation: Array) -> ShownHair:
-        """Return what may be seen of each hair from `eye` (3,); `rotation` (3, 3) is the head's.
+        """Return the part of each hair that may be visible from `eye` (3,); `rotation` (3, 3) is the head's.
 
         The call may change the pose of the scene.
         """

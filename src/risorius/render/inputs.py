@@ -94,7 +94,7 @@ class Tables(NamedTuple):
 
 
 class Paint(NamedTuple):
-    """What a diagram shows on the skin.
+    """The drawing of a diagram on the skin.
 
     `covered` (m,), `place` (N1, M, 2) are those of `muscle_paint.MusclePaint`, `colours` (M, 4) their linear
     colours and opacities in this frame; `edges` (m, 3) the strength of the line opposite each corner; `ink`

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..core.arrays import Float32Array
-from ..core.look import ByteColour
+from ..core.look import LIGHTS, ByteColour
 from ..errors import InputError
 from .lanes import LAMPS
 
@@ -115,4 +115,5 @@ DARK = LightRig(
     edge=(10, 11, 14),
     pupil=0.47,
 )
-RIGS = {"studio": STUDIO, "daylight": DAYLIGHT, "dark": DARK}
+RIGS = dict(zip(LIGHTS, (STUDIO, DAYLIGHT, DARK), strict=True))
+"""The lights by their names."""

@@ -248,7 +248,7 @@ def _rows(row: Int32Array, one: int, two: int, three: int, four: int) -> tuple[i
 
 @fast_inlined
 def _put(block: Float32Array, lane: int, mean: Mean) -> None:
-    """Put what `mean_at` returns into a lane."""
+    """Put the result of `mean_at` into a lane."""
     put(block, TOTAL, lane, (mean[0], mean[1], mean[2]))
     put(block, REST, lane, (mean[3], mean[4], mean[5]))
     block[FREE + lane], block[SHARE + lane], block[STRENGTH + lane] = mean[6], mean[7], mean[8]

@@ -1,4 +1,4 @@
-"""What every renderer can do, and the table of renderers by name.
+"""The interface of renderers, and the table of renderers by name.
 
 A renderer is one file of the package `renderers` that registers a function by its name:
 
@@ -32,7 +32,7 @@ DEFAULT = "software"
 
 
 class PictureInput(NamedTuple):
-    """What one picture shows.
+    """The content of one picture.
 
     `suppression` (46,) is how much of each parameter its rivals suppress, 0 to 1 in the table's order; only
     the style "muscles" shows it. None counts as no suppression.
@@ -75,10 +75,10 @@ class Renderer(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class RendererSetup:
-    """What a renderer draws: `head` at `size` (width, height) in pixels, with a `look`.
+    """The set-up of a renderer: `head` at `size` (width, height) in pixels, with a `look`.
 
     `first_frame` solves a frame to warm up with. Its first call compiles the face for some seconds, so a
-    renderer that also needs long to prepare should begin that before. `progress` is told what takes long.
+    renderer with long preparations of its own should begin them before. `progress` is told what takes long.
     """
 
     head: Head

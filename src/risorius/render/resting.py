@@ -13,7 +13,7 @@ from .scene import HeadScene
 
 
 def light_at_rest(head: Head, rig: LightRig) -> Float32Array:
-    """Return what each of the skin's N1 vertices sees at rest: shares (N1, 1 + lamps) from 0 to 1.
+    """Return the light that reaches each of the skin's N1 vertices at rest: shares (N1, 1 + lamps), 0 to 1.
 
     First the share of its surroundings, then that of each lamp of `rig`; of the first what hair leaves of it,
     since the shadow that the face itself casts in its light moves with it.

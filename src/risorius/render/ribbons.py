@@ -67,8 +67,8 @@ def ribbons(
     Roots are read from the same arrays; `eye` (3,) is the place of the camera. Hairs whose roots face away
     from it, with a cosine below `behind`, are left out; the others are drawn from the first to the last point
     in `shown` (S, 2). If the last comes first, the hair's vertices stay as they are. No hair is drawn
-    narrower than `least` mm, because it would break up between samples; instead, so many of the narrower
-    hairs are left out that they cover the same area.
+    narrower than `least` mm, because it would break up between samples; instead, some of the narrower hairs
+    are left out, so that the others cover the same area.
     """
     strands, points = widths.shape
     camera = (eye[0], eye[1], eye[2])

@@ -34,9 +34,9 @@ _SOFTENED = 0.8  # exponent: light reflected within folds brightens them a littl
 
 
 class ShownHair(NamedTuple):
-    """What is shown of the hair.
+    """The visible part of the hair.
 
-    `points` (hairs, 2): the first and the last point of each hair; if nothing is shown of it, the first comes
+    `points` (hairs, 2): the first and the last visible point of each hair; of a hidden hair the first comes
     after the last. `order` (k,): all solid triangles and the hairs' that are shown. `pairs` (p,): the first
     vertex of each pair across a hair that these have.
     """
@@ -108,7 +108,7 @@ class HeadScene:
         self._weight[: len(self._offset)] = self.head.skin.matrix @ self.head.neck_weight
 
     def _bake(self, lamps: Float32Array) -> None:
-        """Compute what the skin at rest sees of its surroundings, and of all lamps (n, 7) but the first."""
+        """Compute the light at the resting skin from its surroundings and all lamps (n, 7) but the first."""
         count = self.skin_vertices
         self._normals.update(self._local, self.normals[: self.mesh_vertices])
         normals, solid = self.normals[: self.mesh_vertices], slice(0, self.solid)
@@ -155,7 +155,7 @@ class HeadScene:
                 raise InputError(f"a frame whose {name} is {points.shape}; this head's is {(int(size), 3)}")
 
     def show_hair(self, points: Int8Array) -> ShownHair:
-        """Return what is shown of the hair if `points` are (see `ShownHair`)."""
+        """Return the visible hair if `points` are visible (see `ShownHair`)."""
         first, last = points[self.surfaces[self.solid :] - HAIR].T
         shown = self.solid + np.flatnonzero((first <= self.hair_segments) & (self.hair_segments < last))
         pairs = np.unique((self.triangles[shown] - self.mesh_vertices) // 2)
@@ -163,7 +163,7 @@ class HeadScene:
         return ShownHair(points, order.astype(np.int32), (self.mesh_vertices + 2 * pairs).astype(np.int32))
 
     def pose(self, frame: FaceFrame, eye: Float32Array, sample: float, shown: ShownHair) -> Pose:
-        """Move the vertices to a frame, of the hairs those that are `shown`.
+        """Pose all vertices for a frame; of the hair, only the strands in `shown`.
 
         `eye` (3,) float32 is the place of the camera, `sample` the least width in mm that it can show.
         """
@@ -175,7 +175,7 @@ class HeadScene:
         return self._read_pose(frame, rotation, pivot)
 
     def at_rest(self) -> list[AnyArray]:
-        """Return the arrays on which depends what is seen of the head at rest from any place."""
+        """Return the arrays that determine the view of the head at rest from any place."""
         fields = ("roots", "weights", "curves", "widths", "behind")
         hairs = [np.asarray(getattr(group, name)) for group in self._hairs for name in fields]
         return [self.rest[: self.mesh_vertices], self.triangles, self.surfaces, self.two_sided, *hairs]

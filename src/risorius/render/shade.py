@@ -51,7 +51,7 @@ def shade_linear(
     linear: LinearTriangles,
     out: ByteArray,
 ) -> None:
-    """Write the picture (height, width, 3) of four samples a pixel, fast where triangles are linear."""
+    """Write the picture (height, width, 3) of four samples a pixel, fast if triangles are linear."""
     find_linear(linear, batch, mesh, screen, light, pose, tables, hair_pairs)
     for y in range(out.shape[0]):
         uncover(y, screen, mesh)

@@ -12,7 +12,7 @@ from .visibility import Visibility
 
 SIZE, DRAFT_SIZE = 384, 192
 REACH = 2  # taps on each side
-_TAPS = 2 * REACH + 2  # six: `find_bounds` and `_tent` are written for so many
+_TAPS = 2 * REACH + 2  # `find_bounds` and `_tent` are written for six
 RAMP = f4(0.5)
 """1/mm: depths are compared over 2 mm, which hides the steps of the map."""
 

@@ -47,7 +47,7 @@ from .visibility import Visibility
 
 SMALLEST, LARGEST = 16, 4096
 _DRAFT_HAIRS = 3
-"""One in so many hairs is drawn in a draft, so many times as wide."""
+"""A draft draws one in this number of hairs, and draws it wider by the same factor."""
 _COARSE_SHADOW = QUALITIES["normal"]
 """Samples a pixel and side up to which the shadow is that of the coarse skin: nobody sees the difference."""
 _DRAFT_DETAIL = f4(30)

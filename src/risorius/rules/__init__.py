@@ -1,1 +1,1 @@
-"""What a user can edit: strict tables of emotions, timing, gestures and lips, and their reading."""
+"""The rules that a user can edit: strict tables of emotions, timing, gestures and lips, and their readers."""

@@ -13,13 +13,17 @@ from ..core.articulators import PROTRUSION, within_range
 from ..core.frozen import FrozenDict
 from ..core.units import Share
 from ..errors import InputError, ParameterError, unknown
+from ..languages.phones import check_phones
+from ..languages.phonesets import IPA
 from .lips import LipTargets, PhoneShape, check_shape, lip_table
 from .load import load
+
+TABLE = "articulation.toml"
 
 
 @dataclass(frozen=True, slots=True)
 class Consonant:
-    """Where and how a consonant is made."""
+    """The place and manner of a consonant."""
 
     place: str
     manner: str
@@ -27,7 +31,7 @@ class Consonant:
 
 @dataclass(frozen=True, slots=True)
 class ArticulationRow:
-    """What the lips do for consonants of a place and, where given, a manner: as an English phone, or so."""
+    """The lips for consonants of a place and, if given, a manner: as for an English phone or a lip class."""
 
     place: str
     manner: str | None = None
@@ -57,7 +61,7 @@ class Corner:
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """From which rounding on a vowel is rounded; the share of a diphthong that its first vowel takes."""
+    """The rounding from which a vowel counts as rounded; the share of a diphthong for its first vowel."""
 
     rounded: Share
     turn: Share
@@ -73,7 +77,7 @@ class SpeechSound(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Articulation:
-    """The table `articulation.toml`. Raises InputError where its names do not fit those of the lips."""
+    """The table `articulation.toml`. Raises InputError if its names do not fit those of the lips."""
 
     vowel: Mapping[str, tuple[Share, Share, Share]]
     consonant: Mapping[str, Consonant]
@@ -128,6 +132,13 @@ class Articulation:
             if size:
                 yield text[at : at + size], text[at + size : end]
             at = end
+
+    def has(self, symbol: str) -> bool:
+        """Tell whether all letters of an IPA symbol are in the table."""
+        try:
+            return any(True for _ in self.letters(symbol))
+        except ParameterError:
+            return False
 
     def is_letter(self, text: str) -> bool:
         """Tell whether `text` is one letter, or two that are one sound."""
@@ -193,8 +204,10 @@ def _sum(parts: list[LipTargets]) -> dict[str, float]:
 
 @cache
 def articulation() -> Articulation:
-    """Return the package's table."""
-    return load(Articulation, "articulation.toml")
+    """Return the package's table; raise InputError if it lacks a phone."""
+    table = load(Articulation, TABLE)
+    check_phones(TABLE, (phone for phone, ipa in IPA.items() if table.has(ipa)))
+    return table
 
 
 @cache

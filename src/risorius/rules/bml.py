@@ -1,4 +1,4 @@
-"""What BML's words stand for (`data/bml.toml`)."""
+"""The meanings of BML's words (`data/bml.toml`)."""
 
 from __future__ import annotations
 

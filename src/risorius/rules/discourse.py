@@ -1,4 +1,4 @@
-"""What rules ask about speech beyond its sentences: turns, groups of related sentences, rates of phrases."""
+"""Properties of speech beyond its sentences: turns, groups of related sentences, rates of phrases."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The doctor: rules, habits and entries that hold no error, yet can do nothing or not what they say."""
+"""The doctor: find rules, habits and entries without errors that have no effect or another one."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Finding:
 
 
 def examine(rule_set: RuleSet) -> tuple[Finding, ...]:
-    """Return the problems of a set of rules and of what it changes in habits, in its order."""
+    """Return the problems of a set of rules and of its changes of habits, in its order."""
     of_rules = (
         Finding(entry.place, f"rule '{entry.rule.id}' {message}")
         for entry in rule_set.entries.values()
@@ -52,7 +52,7 @@ def examine(rule_set: RuleSet) -> tuple[Finding, ...]:
 
 
 def _problems_of_entry(entry: TableEntry, later: Sequence[TableEntry], rule_set: RuleSet) -> Iterator[str]:
-    """Yield what is wrong with an entry of a table that others may follow."""
+    """Yield the problems of an entry of a table that others may follow."""
     if any(is_under(entry.id, prefix) for prefix in rule_set.tables.deleted):
         yield DELETED_TOO
     if not entry.values:
@@ -61,7 +61,7 @@ def _problems_of_entry(entry: TableEntry, later: Sequence[TableEntry], rule_set:
 
 
 def _problems_of_habit(habit: Habit, later: Sequence[Habit], rule_set: RuleSet) -> Iterator[str]:
-    """Yield what is wrong with new numbers of a habit that others may follow."""
+    """Yield the problems of new numbers of a habit that others may follow."""
     if habit.id in rule_set.habits.deleted:
         yield DELETED_TOO
     if not habit.numbers:
@@ -72,7 +72,7 @@ def _problems_of_habit(habit: Habit, later: Sequence[Habit], rule_set: RuleSet) 
 def _problems_of_keys(
     values: Mapping[str, object], later: Sequence[Mapping[str, object]], source: str
 ) -> Iterator[str]:
-    """Yield what is wrong with values by key that `later` ones of the same id may replace."""
+    """Yield the problems of values by key that `later` ones of the same id may replace."""
     for key in values:
         if any(key in other for other in later):
             yield f"gives '{key}' twice; the last one holds"

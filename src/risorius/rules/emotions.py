@@ -24,7 +24,7 @@ from .fuzzy_sets import concluded
 from .load import DATA, load_file, load_folder
 from .modulation import Modulation
 
-# What share of its full contraction belongs to each of five intensities.
+# The share of a muscle's full contraction at each of five intensities.
 Degrees = tuple[Share, Share, Share, Share, Share]
 PriorityLevel = Annotated[float, Range(0.0, 9999.0)]
 # Priorities over other channels at the same five intensities.
@@ -49,7 +49,7 @@ class Emblem:
 
 @dataclass(frozen=True, slots=True)
 class Emotion:
-    """How an emotion is displayed. `units`: action units or muscles at intensity 1. Seconds.
+    """The display of an emotion. `units`: action units or muscles at intensity 1. Seconds.
 
     `apex`: how long a display that has a start and no end stays at its height. `function`: how it rises and
     falls, an onset function. `priority`: over other channels at no, low, medium, high and full intensity
@@ -96,7 +96,7 @@ class Emotion:
 
     @property
     def seconds(self) -> float:
-        """How long a display lasts that has a start and no end."""
+        """The duration of a display that has a start and no end."""
         return self.onset + self.apex + self.offset
 
     def priority_at(self, intensity: float) -> float | None:
@@ -118,7 +118,7 @@ class Emotion:
 
 @dataclass(frozen=True, slots=True)
 class Display:
-    """An emotion to show: intensity 0..1 over [start, end] seconds, the whole clip where they are None.
+    """An emotion to show: intensity 0..1 over [start, end] seconds, the whole clip if they are None.
 
     `priority`: over other channels (paper A, section 1: "too happy to speak"); None for the channel's.
     """
@@ -198,7 +198,7 @@ def emotion(name: str) -> Emotion:
 
 
 def emotion_key(name: str) -> str:
-    """Return by what `emotion` finds the emotion called `name`: its own name, or its file's path.
+    """Return the key by which `emotion` finds the emotion called `name`: its own name, or its file's path.
 
     Raises ParameterError, naming the nearest one, for an unknown name.
     """

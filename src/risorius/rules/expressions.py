@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import Annotated
 
+from ..core.choices import EXPRESSIONS
 from ..core.frozen import FrozenDict
 from ..core.functions import FunctionName
 from ..core.hints import Range
@@ -16,13 +17,13 @@ from .load import load
 from .modulation import Modulation
 
 TimeFactor = Annotated[float, Range(0.05, 5.0)]
-FELT = "felt"
+FELT, POSED = EXPRESSIONS
 
 
 @dataclass(frozen=True, slots=True)
 class ExpressionKind:
     """Factors on an emotion's onset and offset, its onset function (None: its own), and whether it modulates
-    what the speaker does else.
+    the speaker's other movements.
     """
 
     onset: TimeFactor
@@ -51,7 +52,7 @@ class _Table:
 def expressions() -> Mapping[str, ExpressionKind]:
     """Return the rows of the table by name."""
     table = load(_Table, "expressions.toml")
-    return FrozenDict({FELT: table.felt, "posed": table.posed})
+    return FrozenDict({FELT: table.felt, POSED: table.posed})
 
 
 def expressed(emotions: Mapping[str, Emotion], name: str) -> Mapping[str, Emotion]:

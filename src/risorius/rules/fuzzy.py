@@ -21,7 +21,7 @@ UPPER = ("brows", "lids")
 
 @dataclass(frozen=True, slots=True)
 class Keeps:
-    """What an emotion keeps of the upper and the lower face, by how much stronger than the other it is."""
+    """An emotion's shares of the upper and the lower face, by how much stronger than the other it is."""
 
     upper: Shares
     lower: Shares
@@ -29,7 +29,7 @@ class Keeps:
 
 @dataclass(frozen=True, slots=True)
 class EmotionPair:
-    """Two emotions and what each keeps beside the other."""
+    """Two emotions, and the shares that each keeps beside the other."""
 
     one: str
     other: str
@@ -55,7 +55,7 @@ class FuzzyTable:
         check_centres(self.difference)
 
     def keeps(self, name: str, other: str) -> Keeps:
-        """Return the rules for what an emotion keeps beside another."""
+        """Return the rules for the shares that an emotion keeps beside another."""
         for pair in self.pair:
             if (pair.one, pair.other) == (name, other):
                 return Keeps(pair.upper, pair.lower)
@@ -73,7 +73,7 @@ def fuzzy_table() -> FuzzyTable:
 def blend_units(name: str, company: Mapping[str, float]) -> dict[str, float]:
     """Return the units and muscles of an emotion among emotions with intensities 0..1, itself one of them.
 
-    Of several others the strongest counts. Continuous in all intensities; rising in its own, falling in the
+    The strongest of several others counts. Continuous in all intensities; rising in its own, falling in the
     other's where the rules' shares do.
     """
     own = company[name]
@@ -92,12 +92,12 @@ def _kept(
     upper, lower = (concluded(difference, table.difference, s) for s in (keeps.upper, keeps.lower))
     for target, value in targets.items():
         share = upper if _is_upper(target) else lower
-        # What is hardly felt takes nothing away.
+        # A weak emotion takes little away from the other.
         yield target, value * (1.0 - strength * (1.0 - share))
 
 
 def _is_upper(target: str) -> bool:
-    """Tell whether a parameter, or what a unit contracts most, is in the upper face."""
+    """Tell whether a parameter, or the muscle that a unit contracts most, is in the upper face."""
     weights = unit_weights(target)
     name = max(weights, key=weights.__getitem__) if weights else target
     return PARAMETERS[INDEX[name]].group in UPPER

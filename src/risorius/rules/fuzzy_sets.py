@@ -1,7 +1,7 @@
 """Fuzzy sets: triangles around centres whose memberships add up to 1, and the rules' weighted average.
 
 Singletons as consequents and the weighted average as defuzzification make a piecewise linear function:
-continuous, and monotone where the consequents are.
+continuous, and monotone if the consequents are.
 """
 
 from __future__ import annotations
@@ -33,5 +33,5 @@ def memberships(value: float, centres: Sequence[float]) -> list[float]:
 
 
 def concluded(value: float, centres: Sequence[float], consequents: Sequence[float]) -> float:
-    """Return the average of what the rules of all sets say, weighted by membership."""
+    """Return the average of the rules' values of all sets, weighted by membership."""
     return sum(m * c for m, c in zip(memberships(value, centres), consequents, strict=True))

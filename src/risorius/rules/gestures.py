@@ -11,7 +11,7 @@ from .markup import Gesture
 class GesturePart:
     """One movement of a gesture: span, onset and offset as shares of the gesture's, and the targets' scale.
 
-    `onset` and `offset` are None where they do not depend on the gesture's length.
+    `onset` and `offset` are None if they do not depend on the gesture's length.
     """
 
     start: float = 0.0

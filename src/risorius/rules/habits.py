@@ -1,4 +1,4 @@
-"""Habits: what a speaker does that no rule asks for, by ids like those of rules.
+"""Habits: a speaker's movements that no rule asks for, by ids like those of rules.
 
 The numbers of habits stand in profiles. A user's file of rules changes them for every profile, or deletes a
 habit, in the form of rules (paper B, section 3.2).
@@ -50,7 +50,7 @@ class Habit:
 
 @dataclass(frozen=True, slots=True)
 class HabitChanges:
-    """What files of rules change: habits with other numbers, in order, and those that are deleted."""
+    """Changes of habits in files of rules: other numbers, in order, and deletions."""
 
     changed: tuple[Habit, ...] = ()
     deleted: frozenset[str] = field(default_factory=frozenset)

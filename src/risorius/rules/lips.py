@@ -1,4 +1,4 @@
-"""The lips' table: what each phone wants of the articulators, and how strongly (`data/lips.toml`)."""
+"""The lips' table: the targets of each phone for the articulators, and their strength (`data/lips.toml`)."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from ..core.schema import build
 from ..core.source_text import SourceText
 from ..core.units import Share
 from ..errors import InputError, ParameterError, unknown
+from ..languages.phones import check_phones
 from .load import DATA, load
 
 Weights = Mapping[str, Annotated[float, Range(0.0, 100.0)]]
@@ -43,8 +44,8 @@ class LipClass:
     """A class of phones: dominance magnitude per articulator, flanks in seconds, limits per parameter.
 
     `yields`: for the look-ahead model, phones a second from which on it yields an articulator. `precision`:
-    for the model of least effort. `anticipates`: per articulator, the share of the precision of the coming
-    vowel with which that vowel takes part in a consonant of this class.
+    for the model of least effort, where it differs from the magnitude. `anticipates`: per articulator, the
+    share of the precision of the coming vowel with which that vowel takes part in a consonant of this class.
     """
 
     magnitude: Weights
@@ -70,7 +71,7 @@ class Diphthong:
 
 @dataclass(frozen=True, slots=True)
 class Opening:
-    """How stress, accents, position and the voice change the shape of a vowel.
+    """Changes of a vowel's shape by stress, accents, position and the voice.
 
     The factors multiply to at most `widest`. An articulator takes its share of what that is beyond 1: of
     `unrounded` or of `rounded`, else none.
@@ -89,7 +90,7 @@ class Opening:
 
 @dataclass(frozen=True, slots=True)
 class Pausing:
-    """What the lips do in pauses; seconds. `shortest`: a shorter pause changes nothing.
+    """Movements of the lips in pauses; seconds. `shortest`: a shorter pause changes nothing.
 
     The in-breath: in a silence of `breath_from` or more before speech the mouth opens to `breath_shape`,
     from `breath_lead` before the speech (or from the start of the silence), and leaves it `breath_end`
@@ -108,13 +109,13 @@ class Pausing:
     breath_shape: LipTargets
 
     def allows_breath(self, silence: float, begins_clip: bool) -> bool:
-        """Return whether the mouth opens in so many seconds of silence before speech."""
+        """Return whether the mouth opens for a breath in `silence` seconds of silence before speech."""
         return silence >= (self.breath_end + self.breath_least if begins_clip else self.breath_from)
 
 
 @dataclass(frozen=True, slots=True)
 class Tempo:
-    """How slower speech is articulated more fully: (usual/rate)**`share` times, between `least` and `most`.
+    """Fuller articulation of slower speech: (usual/rate)**`share` times, between `least` and `most`.
 
     `usual`: syllables a second; `faster`: how many times as many other languages have, by their codes.
     `syllables`: a stretch of fewer has the usual rate, because its last syllable is long.
@@ -128,7 +129,7 @@ class Tempo:
     syllables: Annotated[int, Range(1, 100)]
 
     def fullness(self, syllables: int, seconds: float, language: str) -> float:
-        """Return the factor on the opening for so many syllables in so many seconds."""
+        """Return the factor on the opening for a number of `syllables` in `seconds`."""
         if syllables < self.syllables:
             return 1.0
         usual = self.usual * self.faster.get(language.partition("-")[0], 1.0)
@@ -157,7 +158,7 @@ class _File:
 
 @dataclass(frozen=True, slots=True)
 class Holding:
-    """What all phones of a class share (`LipClass`); the limits have both sides spelled out."""
+    """The data that all phones of a class share (`LipClass`); the limits have both sides spelled out."""
 
     dominance: Mapping[str, Dominance]
     limits: Mapping[str, tuple[float, float]]
@@ -233,15 +234,12 @@ class LipTable:
         return (symbol, first, diphthong.turn), (symbol, second, 1.0 - diphthong.turn)
 
 
-def manners() -> tuple[str, ...]:
-    """Return the manners of speech by name."""
-    return tuple(lip_table().manners)
-
-
 @lru_cache(maxsize=1)
 def lip_table() -> LipTable:
-    """Return the package's table; raise InputError if its names do not fit together."""
-    return _compiled(load(_File, LIPS_FILE))
+    """Return the package's table; raise InputError if its names do not fit or it lacks a phone."""
+    table = _compiled(load(_File, LIPS_FILE))
+    check_phones(LIPS_FILE, (*table.phones, *table.diphthongs))
+    return table
 
 
 def lip_table_text() -> str:
@@ -280,7 +278,7 @@ def _holding(lip_class: LipClass) -> Holding:
         FrozenDict(dominance),
         FrozenDict(limits),
         FrozenDict(lip_class.yields),
-        FrozenDict(lip_class.precision),
+        FrozenDict({**lip_class.magnitude, **lip_class.precision}),
         FrozenDict(lip_class.anticipates),
     )
 

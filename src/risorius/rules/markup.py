@@ -1,4 +1,4 @@
-"""What the markup's words stand for: directions, gestures, turns and durations (`markup.toml`)."""
+"""The meanings of the markup's words: directions, gestures, turns and durations (`markup.toml`)."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Gesture:
 
 @dataclass(frozen=True, slots=True)
 class TurnAttitude:
-    """Where the eyes go, and the other parameters' targets by action unit or name."""
+    """The direction of the eyes, and the other parameters' targets by action unit or name."""
 
     gaze: Direction
     targets: Mapping[str, float]
@@ -59,7 +59,7 @@ class TurnAttitude:
 
 @dataclass(frozen=True, slots=True)
 class Durations:
-    """Seconds that a mark lasts where it does not say."""
+    """Seconds that a mark lasts if it does not say."""
 
     signal: MarkSeconds
     blink: MarkSeconds

@@ -23,7 +23,7 @@ LIDS = tuple(p.name for p in parameters_named("orbicularis_oculi_palpebralis"))
 HEAD = tuple(p.name for p in PARAMETERS if p.kind is Kind.HEAD)
 EYES = ("gaze_pitch", "gaze_yaw")
 SIDED = ("head_yaw", "head_roll", "gaze_yaw")
-# What is held to the end of a clip is released so long after it, seconds: later than any frame's time.
+# Seconds after the clip's end until gestures held to the end are released: later than any frame.
 _BEYOND = 0.1
 # No event is smaller than this share of its rule's size.
 _SMALLEST = 0.3
@@ -31,7 +31,7 @@ _SMALLEST = 0.3
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """What a rule makes of a unit. `targets`: its own, scaled; `size`: how far its gesture goes."""
+    """The event that a rule makes of a unit. `targets`: its own, scaled; `size`: how far its gesture goes."""
 
     rule: Rule
     unit: Unit
@@ -110,7 +110,7 @@ def felt_modulations(felt: Mapping[str, float]) -> tuple[Modulation, ...]:
 
 @lru_cache(maxsize=1024)
 def conditions(when: When) -> tuple[Condition, ...]:
-    """Return functions that tell whether a unit is what a rule asks for, one for each thing that it asks."""
+    """Return functions that tell whether a unit meets a rule, one for each condition of the rule."""
     words = frozenset(when.words)
     each: list[tuple[object, Condition]] = [
         (when.accent, lambda u: u.accents and _labelled(when.accent, [a.label for a in u.accents])),
@@ -187,7 +187,7 @@ def _targets(rule: Rule, size: float, mirrored: bool) -> dict[str, float]:
 
 @lru_cache(maxsize=1024)
 def _kept(targets: tuple[tuple[str, float], ...]) -> Mapping[str, float]:
-    """Return what `kept_units` does of a rule's targets, which are the same for all its units."""
+    """Return `kept_units` of a rule's targets, which are the same for all its units."""
     return FrozenDict(kept_units(dict(targets)))
 
 

@@ -1,4 +1,4 @@
-"""How much more or less of something somebody does: factors on how often rules fire and how large they are.
+"""Modulation: factors on how often rules fire and how large their movements are.
 
 Profiles, attitudes and emotions all modulate the rules so, never where or what the accents are (paper B,
 3.2.1, 4.1 and 4.2).

@@ -1,4 +1,4 @@
-"""Who speaks and how: profiles of speakers, and attitudes that lie over them (paper B, section 3.2.1)."""
+"""Profiles of speakers, and attitudes that modify them (paper B, section 3.2.1)."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal, cast
 
 from ..core.action_units import resolve_targets
+from ..core.choices import BLINK_MODELS
 from ..core.frozen import FrozenDict
 from ..core.hints import Range
 from ..core.parameters import INDEX, PARAMETERS, Kind
@@ -25,13 +26,9 @@ Normal = tuple[HabitSeconds, HabitSeconds]
 """Mean and standard deviation."""
 
 
-BLINK_MODELS = ("natural", "itti", "pelachaud", "none")
-"""How blinks that no rule asks for come: as measured, as the sources of papers A and B print, or not."""
-
-
 @dataclass(frozen=True, slots=True)
 class BlinkHabits:
-    """How the eyes are kept wet. Seconds.
+    """The habits of blinking. Seconds.
 
     `model`: one of `BLINK_MODELS`. `interval`: of the log-normal distribution of "natural" times from the end
     of a blink to the next, the median and the standard deviation of the logarithm. `wait`: the typical wait
@@ -63,7 +60,7 @@ class Aversion:
 
 @dataclass(frozen=True, slots=True)
 class GazeHabits:
-    """Where the eyes go when no rule says.
+    """The habits of the eyes when no rule directs them.
 
     `speaking`, `listening`: how the eyes leave the listener; `directions`: weights of up, down and side;
     `pitch`, `yaw`: mean and deviation of how far they go, degrees; `scan`: mean seconds of a fixation on the
@@ -85,7 +82,7 @@ class HeadHabits:
     """The smooth noise of a living head: deviations in degrees, seconds from one target to the next.
 
     `comma`, `final`: what is left of it in such pauses; `listening`: while another speaks. `melody`: degrees
-    of pitch by standard deviation of a syllable's pitch, where the sound was measured.
+    of pitch by standard deviation of a syllable's pitch, if the sound was measured.
     """
 
     pitch: DeviationDegrees
@@ -135,13 +132,13 @@ class Profile:
 
     @property
     def modulation(self) -> Modulation:
-        """What the speaker does more or less of."""
+        """The modulation of the speaker's rules."""
         return Modulation(self.rates, self.sizes)
 
 
 @dataclass(frozen=True, slots=True)
 class Attitude:
-    """What the speaker wants to convey: a modulation of the rules, and targets held throughout."""
+    """An attitude that the speaker conveys: a modulation of the rules, and targets held throughout."""
 
     name: str
     description: str
@@ -155,7 +152,7 @@ class Attitude:
 
     @property
     def modulation(self) -> Modulation:
-        """What the speaker does more or less of."""
+        """The modulation of the speaker's rules."""
         return Modulation(self.rates, self.sizes)
 
 
@@ -179,7 +176,7 @@ def profile_texts() -> Mapping[str, str]:
 
 
 def profile_from(text: str, name: str, bases: Mapping[str, str]) -> Profile:
-    """Return the profile of TOML `text`: what it leaves out stands in its base's, one of `bases`.
+    """Return the profile of TOML `text`; keys that it leaves out come from its base, one of `bases`.
 
     Raises InputError, with its place, if it does not fit.
     """
@@ -229,14 +226,14 @@ def profile_of(name: str, blinks: str | None = None) -> Profile:
 
 
 def profile(name: str) -> Profile:
-    """Return the profile `name`; raise ParameterError naming the nearest one if there is none."""
+    """Return the profile `name`; raise ParameterError, with the nearest one, if it is unknown."""
     if name not in profiles():
         raise ParameterError(unknown("profile", name, profiles()))
     return profiles()[name]
 
 
 def attitude(name: str) -> Attitude:
-    """Return the attitude `name`; raise ParameterError naming the nearest one if there is none."""
+    """Return the attitude `name`; raise ParameterError, with the nearest one, if it is unknown."""
     if name not in attitudes():
         raise ParameterError(unknown("attitude", name, attitudes()))
     return attitudes()[name]

@@ -1,4 +1,4 @@
-"""Which of the events that rules propose happen: some pause others, the script goes before all."""
+"""Choose among the events that rules propose: some pause others, and the script comes before all."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .markup import markup_table
 from .match import Event
 from .modulation import is_under
 
-# What begins so much later than an event, seconds, is not foreseen when that begins, and does not pause it.
+# Seconds: an event that begins later than another by more is not foreseen, and does not pause it.
 _FORESIGHT = 0.6
 # Events of one part of the face closer than this would be one movement, seconds.
 APART = 0.05
@@ -22,7 +22,7 @@ def resolve(
     """Return the events that happen, in order.
 
     Those that another's rule pauses do not; nor, regulators apart, those that move what the script moves at
-    the time: `taken` are its spans and parameters. Of two that start together in one part the larger stays.
+    the time: `taken` are its spans and parameters. If two start together in one part, the larger stays.
     """
     spans = list(taken)
     found = [e for e in events if not _is_taken(e, spans)]

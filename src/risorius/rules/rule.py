@@ -1,4 +1,4 @@
-"""What a rule is: where it looks, what it asks for, what it does and when (paper B, sections 3.1 to 4.2).
+"""Rules: the level they look at, their conditions, their effects and times (paper B, sections 3.1 to 4.2).
 
 The dataclasses are the schema of the rule files: a key that they lack, an unknown phone, emotion, tone or
 action unit, and a probability above 1 are errors with their place.
@@ -50,7 +50,7 @@ class Level(StrEnum):
 
 
 class Position(StrEnum):
-    """Where a unit stands among those of its level within the next larger stretch."""
+    """The position of a unit among those of its level within the next larger stretch."""
 
     FIRST = "first"
     INNER = "inner"
@@ -59,14 +59,14 @@ class Position(StrEnum):
 
 
 class TurnState(StrEnum):
-    """Whose turn it is."""
+    """Whether it is the speaker's turn or the other's."""
 
     SPEAKING = "speaking"
     LISTENING = "listening"
 
 
 class RuleAnchor(StrEnum):
-    """What of a unit a movement starts from; ANYWHERE is drawn, WHOLE spans it all."""
+    """The point of a unit from which a movement starts; ANYWHERE is drawn, WHOLE spans the unit."""
 
     START = "start"
     MIDDLE = "middle"
@@ -78,11 +78,11 @@ class RuleAnchor(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class When:
-    """What a unit must be; an empty condition asks for nothing.
+    """The conditions on a unit; an empty condition asks for nothing.
 
     `accent`, `boundary`: ToBI labels, or "any". `pause`: the pause's kind, or that of the one after the unit.
     `rate`: lowest and highest, syllables a second; `lasting`: likewise, seconds. `emotion`: the strongest one
-    felt, by name, at `intensity` at least; "none" where nothing is felt.
+    felt, by name, at `intensity` at least; "none" if nothing is felt.
     """
 
     accent: tuple[str, ...] = ()
@@ -126,7 +126,7 @@ class When:
 
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """What a rule does: targets at full size, a gesture of the head, a look, a blink.
+    """The effect of a rule: targets at full size, a gesture of the head, a look, a blink.
 
     `targets`: action units, muscles, degrees. `gesture`: a name in `markup.toml`, made `times` times at
     `size` times its amplitude. `look`: a direction there; "away" draws one. `blink`: how far the lids
@@ -164,10 +164,10 @@ class Effect:
 
 @dataclass(frozen=True, slots=True)
 class Timing:
-    """When a rule's movement comes and goes, seconds.
+    """The timing of a rule's movement, seconds.
 
-    It starts `lead` before the anchor, is held for `apex` (to the unit's end where None), and is snapped to
-    the phonemes' boundaries unless `snap` is false. `function`: an onset function, the channel's where None.
+    It starts `lead` before the anchor, is held for `apex` (to the unit's end if None), and is snapped to
+    the phonemes' boundaries unless `snap` is false. `function`: an onset function, the channel's if None.
     """
 
     at: RuleAnchor = RuleAnchor.START

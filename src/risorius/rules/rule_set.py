@@ -1,4 +1,4 @@
-"""Sets of rules: ours, and what a user's file adds, replaces and deletes (paper B, section 3.2)."""
+"""Sets of rules: ours, and those that a user's file adds, replaces and deletes (paper B, section 3.2)."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class RuleFile:
 
 @dataclass(frozen=True, slots=True)
 class RuleEntry:
-    """A rule, where it stands, and as what."""
+    """A rule, its place, and its text in the file."""
 
     rule: Rule
     place: Place
@@ -49,7 +49,7 @@ class RuleEntry:
 
 @dataclass(frozen=True)
 class RuleSet:
-    """The rules that hold, by id, in the order of their files, and what the files change in habits.
+    """The rules that hold, by id, in the order of their files, and the files' changes of habits.
 
     `habit_places`: where each of the changed habits stands; `tables`, `table_places`: likewise of tables.
     """
@@ -64,7 +64,7 @@ class RuleSet:
         return (entry.rule for entry in self.entries.values())
 
     def get(self, name: str) -> RuleEntry:
-        """Return the rule `name`; raise ParameterError naming the nearest one if there is none."""
+        """Return the rule `name`; raise ParameterError, with the nearest one, if it is unknown."""
         if name not in self.entries:
             raise ParameterError(unknown("rule", name, self.entries))
         return self.entries[name]
@@ -81,7 +81,7 @@ def shipped() -> RuleSet:
 
 
 def rule_names() -> dict[str, str]:
-    """Return the ids of the rules that come with Risorius, with what each is for."""
+    """Return the ids of the rules that come with Risorius, with the purpose of each."""
     return {rule.id: rule.comment for rule in shipped()}
 
 
@@ -199,7 +199,7 @@ def _check_own(file: RuleFile, own: Mapping[str, RuleEntry], rule_set: RuleSet, 
 
 
 def _circle(start: str, own: Mapping[str, RuleEntry]) -> tuple[str, ...]:
-    """Return the replacements that lead from a rule back to itself, nothing where none do."""
+    """Return the replacements that lead from a rule back to itself, nothing if none do."""
     waiting: list[tuple[str, ...]] = [(start,)]
     seen: set[str] = set()
     while waiting:

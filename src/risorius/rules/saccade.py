@@ -1,4 +1,4 @@
-"""How fast the eyes turn: the main sequence of saccades (`saccade.toml`)."""
+"""The speed of the eyes: the main sequence of saccades (`saccade.toml`)."""
 
 from __future__ import annotations
 

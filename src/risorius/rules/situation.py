@@ -1,4 +1,4 @@
-"""What a performance is about, as rules see it: what is said, what is felt, whose turn it is."""
+"""The situation that rules are matched against: words, emotions, and spans of listening."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The units of what is said, level by level."""
+"""The units of speech, level by level."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ _SHOWN = 8
 
 
 class TimeRange(Protocol):
-    """What has a start and an end, in seconds."""
+    """Anything that has a start and an end, in seconds."""
 
     @property
     def start(self) -> float:
-        """When it begins."""
+        """Its start in seconds."""
 
     @property
     def end(self) -> float:
-        """When it ends."""
+        """Its end in seconds."""
 
 
 class WordRange(TimeRange, Protocol):

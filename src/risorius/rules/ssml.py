@@ -1,4 +1,4 @@
-"""What SSML's words stand for (`data/ssml.toml`)."""
+"""The meanings of SSML's words (`data/ssml.toml`)."""
 
 from __future__ import annotations
 

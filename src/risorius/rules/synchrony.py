@@ -61,7 +61,7 @@ def synchrony() -> Synchrony:
 
 @dataclass(frozen=True, slots=True)
 class MovementPhases:
-    """When a movement starts, is there, begins to leave and has ended, seconds, in that order."""
+    """The times at which a movement starts, is there, begins to leave and has ended, in seconds."""
 
     start: float
     apex: float
@@ -89,7 +89,7 @@ def snapped(span: MovementPhases, boundaries: Sequence[float]) -> MovementPhases
     """Return a span with each time moved to the closest phoneme boundary within reach.
 
     The apex is where the time from the new start is closest to the onset, and likewise the end. Onset and
-    offset keep a length: where one would vanish, its time stays unsnapped.
+    offset keep a length: if one would vanish, its time stays unsnapped.
     """
     start = nearest(span.start, boundaries)
     onset, offset = span.apex - span.start, span.end - span.release
@@ -100,7 +100,7 @@ def snapped(span: MovementPhases, boundaries: Sequence[float]) -> MovementPhases
 
 
 def nearest(time: float, boundaries: Sequence[float], reach: float | None = None) -> float:
-    """Return the boundary closest to a time, the time itself where none is within reach."""
+    """Return the boundary closest to a time, the time itself if none is within reach."""
     reach = synchrony().reach if reach is None else reach
     index = bisect_left(boundaries, time)
     before = boundaries[index - 1] if index else -math.inf

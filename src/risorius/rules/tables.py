@@ -44,7 +44,7 @@ class TableEntry:
 
 @dataclass(frozen=True)
 class TableChanges:
-    """What files of rules change in tables: entries in order, and ids that are deleted."""
+    """Changes of tables in files of rules: entries in order, and deleted ids."""
 
     changed: tuple[TableEntry, ...] = ()
     deleted: frozenset[str] = field(default_factory=frozenset)
@@ -83,13 +83,13 @@ def path(name: str) -> tuple[str, ...]:
     if table == LIPS and parts and parts[0] in (*NAMED_TABLES, *SINGLE):
         if len(parts) == (2 if parts[0] in NAMED_TABLES else 1):
             return (table, *parts)
-        raise InputError(f"'{name}' names no entry; expected e.g. lips.phone.AA or lips.opening")
+        raise InputError(f"there is no entry '{name}'; expected e.g. lips.phone.AA or lips.opening")
     if table == LIPS and parts:
         raise ParameterError(unknown("table of lips", parts[0], (*NAMED_TABLES, *SINGLE)))
     if (table == EMOTIONS and len(parts) == 1) or (table == LINKS and len(parts) in (2, 3)):
         return (table, *parts)
     known = "lips.phone.AA, emotions.pride or links.zygomatic_major.zygomatic_minor"
-    raise InputError(f"'{name}' is the id of no entry; expected e.g. {known}")
+    raise InputError(f"there is no entry with the id '{name}'; expected e.g. {known}")
 
 
 def deleted_entries(prefixes: Iterable[str]) -> frozenset[str]:
@@ -137,7 +137,7 @@ def _emotions(changes: TableChanges) -> Mapping[str, Emotion]:
 
 
 def _new_emotion(name: str, entry: TableEntry) -> dict[str, Any]:
-    """Return what an emotion has beside the values that its entry gives it."""
+    """Return the emotion's fields beside the values that its entry gives it."""
     targets = entry.values.get("targets", {})
     emblem = {"onset": 0.25, "offset": 0.35, "duration": 1.0, "targets": targets}
     return {

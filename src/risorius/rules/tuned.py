@@ -17,7 +17,7 @@ from .profiles import Profile, profile, profile_from, profile_texts
 
 @dataclass(frozen=True, slots=True)
 class Number:
-    """A number of a profile: its dotted key, value and range (null where there is no end)."""
+    """A number of a profile: its dotted key, value and range (null for an open end)."""
 
     key: str
     value: float
@@ -82,7 +82,7 @@ def nested(under: Profile, numbers: Mapping[str, float]) -> dict[str, Any]:
 
 
 def _set(table: dict[str, Any], item: Any, path: list[str], value: float, key: str) -> None:
-    """Set a number in `table`, which is laid out as the dataclass `item`; KeyError where it has none."""
+    """Set a number in `table`, which is laid out as the dataclass `item`; KeyError if it has none."""
     first, rest = path[0], path[1:]
     held = getattr(item, first) if first in _numbered(item) else None
     if dataclasses.is_dataclass(held):

@@ -24,7 +24,7 @@ class Units:
         self._made: dict[Level, tuple[Unit, ...]] = {}
 
     def of(self, level: Level) -> tuple[Unit, ...]:
-        """Return the units of a level in order; none of those that speech has where nothing is said."""
+        """Return the units of a level in order; none of those that speech has if nothing is said."""
         silent = self._said is None or not self._said.words
         if silent and level is not Level.MOMENT:
             return ()
@@ -48,7 +48,7 @@ class Units:
 
     @cached_property
     def _spoken(self) -> dict[Level, Callable[[], Iterator[Unit]]]:
-        """What makes the units of each level of speech."""
+        """The function that makes the units of each level of speech."""
         assert self._said is not None
         spoken = SpokenUnits(self._said, self.situation)
         return {

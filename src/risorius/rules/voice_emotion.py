@@ -1,4 +1,4 @@
-"""How emotions change the voice (`data/voice_emotion.toml`; paper B, section 2.2)."""
+"""Changes of the voice by emotions (`data/voice_emotion.toml`; paper B, section 2.2)."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class VoiceEmotions:
 def voice_manner(intensities: Mapping[str, float]) -> Manner:
     """Return the manner of a voice under emotions by name or alias, each with its intensity 0..1.
 
-    Of several, each counts by its share where their intensities add up to more than 1. Raises ParameterError
+    Of several, each counts by its share if their intensities add up to more than 1. Raises ParameterError
     for an unknown emotion.
     """
     scale = 1.0 / max(1.0, sum(intensities.values()))

@@ -1,4 +1,4 @@
-"""From a user's input to a script: what is to be said and shown, each mark with its place in the source."""
+"""Read a user's input into a script: lines to say, and marks to show, each with its place in the source."""
 
 from .anchor import Anchor
 from .model import Mark, MarkKind, Script, SpokenLine

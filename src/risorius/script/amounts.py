@@ -31,7 +31,7 @@ def read_seconds(attribute: Attribute) -> float:
 
 
 class _Amount(NamedTuple):
-    """What is written: a sign or none, a number without sign, and a unit in lower case or none."""
+    """An amount as written: a sign or "", a number without sign, and a unit in lower case or ""."""
 
     sign: str
     number: float

@@ -23,7 +23,7 @@ _NUMBER = re.compile(rf"[+-]?{NUMBER}", re.ASCII)
 
 
 class Base(StrEnum):
-    """What an anchor counts from."""
+    """The base that an anchor counts from."""
 
     START = "start"
     WORD = "word"
@@ -83,7 +83,7 @@ class Anchor:
 
     def _in_text(self, words: Sequence[Word]) -> float:
         if not words:
-            raise InputError("a time in the speech, but nothing is said", self.place)
+            raise InputError("the time depends on the speech, but the script has no words", self.place)
         following = bisect_left(words, self.character, key=lambda word: word.source_start)
         if self.base is Base.TEXT_END:
             return words[following - 1].end if following else words[0].start
@@ -102,7 +102,7 @@ class Anchor:
 
 
 def parse_number(text: str) -> float | None:
-    """Return a decimal number in ASCII digits; None if `text` is none (so are `nan`, `inf` and `1_000`)."""
+    """Return a decimal number in ASCII digits; None for any other text (also `nan`, `inf`, `1_000`)."""
     stripped = text.strip()
     if not _NUMBER.fullmatch(stripped):
         return None

@@ -1,4 +1,4 @@
-"""The attributes of one element, taken one by one: what nobody takes is unknown."""
+"""The attributes of one element, consumed one by one; any left over is reported as unknown."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Attributes:
 
     @property
     def place(self) -> Place:
-        """Where the element stands."""
+        """The place of the element."""
         return self.element.place
 
     def error(self, message: str, place: Place | None = None) -> InputError:
@@ -79,7 +79,7 @@ class Attributes:
         return left
 
     def unknown(self, attribute: Attribute, more: Iterable[str] = ()) -> ParameterError:
-        """Return the error for an attribute that is none of those asked for, nor of `more`."""
+        """Return the error for an attribute that was not asked for and is not among `more`."""
         known = (*self._asked, *more)
         return ParameterError(unknown("attribute", one_line(attribute.name), known), attribute.place)
 

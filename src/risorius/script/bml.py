@@ -39,7 +39,7 @@ def parse_bml(text: str, source: str = "text") -> Script:
 
 @dataclass
 class _Reading:
-    """What has been read of a block."""
+    """The content of a block, as far as it has been read."""
 
     source: str
     unknowns: Unknowns = field(default_factory=Unknowns)
@@ -50,7 +50,7 @@ class _Reading:
     characters: int = 0
 
     def add(self, node: XmlNode) -> None:
-        """Take up a behaviour, a constraint, or what a container holds."""
+        """Take up a behaviour, a constraint, or the contents of a container."""
         if node.name == "required":
             for child in node.elements():
                 self.add(child)
@@ -66,7 +66,7 @@ class _Reading:
             self.unknowns.tell(f"<{one_line(node.written)}>", node.place)
 
     def _face(self, node: XmlNode) -> None:
-        """Take up what a face holds, or, where it holds nothing, the face itself."""
+        """Take up the contents of a face, or, if it is empty, the face itself."""
         children = list(node.elements())
         kind = "faceFacs" if node.get("au") is not None else "faceLexeme"
         for child in children or [replace(node, name=kind)]:
@@ -138,7 +138,7 @@ class _Reading:
         return self.behaviours[name], point, target.seconds
 
     def script(self) -> Script:
-        """Return what has been read, all references resolved."""
+        """Return the script that has been read, all references resolved."""
         for node in self.constraints:
             self._constrain(node)
         table = Timetable(self.behaviours)

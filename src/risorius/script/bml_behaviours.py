@@ -1,4 +1,4 @@
-"""What BML's behaviours do: each a function from its node and its times to marks."""
+"""BML's behaviours: each is a function from its node and its times to marks."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ class Times:
         return self.table.anchor(self.name, point)
 
     def between(self, a: str, b: str, usual: float) -> float:
-        """Return the seconds from one point to another, `usual` where that depends on the speech."""
+        """Return the seconds from one point to another, `usual` if that depends on the speech."""
         first, second = self.at(a), self.at(b)
         return max(second.seconds - first.seconds, 0.0) if first.same_base(second) else usual
 
     def span(self, node: XmlNode) -> tuple[Anchor, Anchor]:
-        """Return start and end; raise InputError where they are the wrong way round."""
+        """Return start and end; raise InputError if they are the wrong way round."""
         start, end = self.at("start"), self.at("end")
         if start.same_base(end) and not start.seconds < end.seconds:
             raise InputError(f"'{self.name}' ends at {end}, not after its start at {start}", node.place)

@@ -1,4 +1,4 @@
-"""BML's behaviours: what each may say, and the sync points that it has by itself.
+"""BML's behaviours: their attributes, and the sync points that each has by itself.
 
 Reader and writer share its words: what reads scripts (`bml`), and the feedback that is written from a plan.
 """
@@ -22,7 +22,7 @@ PEAKS: Mapping[str, str] = MappingProxyType({"face": "attackPeak", "gaze": "read
 USUAL_AMOUNT = 0.5
 SHIFT_SECONDS = 0.4
 _HEAD_POINTS = ("start", "ready", "strokeStart", "stroke", "strokeEnd", "relax", "end")
-# What any behaviour may say beside its sync points, and each of them.
+# Attributes of all behaviours beside their sync points, and those of each.
 ANY = ("id",)
 _DIRECTED = ("target", "influence", "offsetAngle", "offsetDirection")
 ATTRIBUTES: Mapping[str, tuple[str, ...]] = {

@@ -1,4 +1,4 @@
-"""What BML's speech says, and where its sync points lie in the text."""
+"""The text of BML's speech, and the places of its sync points in it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class _SpeechWriter(SsmlWriter):
     """Writes a speech's text; `<sync id="tm1"/>` names a place in it."""
 
     def perform(self, node: XmlNode) -> None:
-        """Do what an element asks for."""
+        """Apply an element."""
         if node.name != "sync":
             super().perform(node)
             return
@@ -28,7 +28,7 @@ class _SpeechWriter(SsmlWriter):
 
 
 def read_words(node: XmlNode, unknowns: Unknowns) -> tuple[str, Directions]:
-    """Return what a speech says: its SSML where it has some, else its text."""
+    """Return the words of a speech: its SSML if it has some, else its text."""
     parts = [child for child in node.children if isinstance(child, XmlNode)]
     writer = _SpeechWriter(unknowns)
     for part in parts:

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from ..errors import InputError, Place, unknown
+from ..languages import phonesets
 from .notation import Item
 from .quote import quoted
 
@@ -29,9 +30,6 @@ CODES: dict[str, tuple[str, ...]] = {
     "zh": ("ZH",), "ch": ("CH",), "jh": ("JH",),
 }  # fmt: skip
 SILENCE = "_"
-_VOWELS = frozenset(
-    {"AA", "AE", "AH", "AO", "AW", "AY", "EH", "ER", "EY", "IH", "IY", "OW", "OY", "UH", "UW"}
-)
 # ARPAbet's stress digits by DECtalk's marks: primary, secondary, emphatic.
 _STRESS = {"'": "1", "`": "2", '"': "1"}
 _DURATION = re.compile(r"<([^<>]*+)(>?)")
@@ -40,7 +38,7 @@ _LONGEST_MS = 10_000
 
 
 class Dictated(NamedTuple):
-    """A phone, ARPAbet with a stress digit on vowels, "" for silence; its duration in seconds where given."""
+    """A phone, ARPAbet with a stress digit on vowels, "" for silence; its duration in seconds if given."""
 
     symbol: str
     seconds: float | None
@@ -48,7 +46,7 @@ class Dictated(NamedTuple):
 
 @dataclass
 class _Reading:
-    """How far an item has been read."""
+    """The state of reading an item."""
 
     item: Item
     at: int = 0
@@ -103,10 +101,10 @@ def _read(reading: _Reading) -> Iterator[Dictated]:
             yield Dictated("", seconds)
             continue
         phones = CODES[code]
-        if stress != "0" and not _VOWELS & set(phones):
+        if stress != "0" and not phonesets.VOWELS & set(phones):
             raise InputError(
                 f"a stress mark before '{code}', which is not a vowel; expected it before one", place
             )
         share = None if seconds is None else seconds / len(phones)
         for phone in phones:
-            yield Dictated(phone + stress if phone in _VOWELS else phone, share)
+            yield Dictated(phone + stress if phone in phonesets.VOWELS else phone, share)

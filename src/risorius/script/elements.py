@@ -1,7 +1,7 @@
 """Markup as a list of elements, each with its place: safe, strict, several roots allowed.
 
-The paper prints several elements without one around them, which is no XML document, so the parser is given a
-root of its own. Document types and entities are not part of the markup: no bombs, nothing external.
+The paper prints several elements without one around them, which is not an XML document, so the parser is
+given a root of its own. Document types and entities are not part of the markup: no bombs, nothing external.
 """
 
 from __future__ import annotations
@@ -58,9 +58,9 @@ def read_elements(text: str, source: str) -> list[Element]:
 
 
 class XmlReader:
-    """One reading of XML: how positions are counted, and what is open. What is found is kept by its kinds."""
+    """One reading of XML: it counts positions and keeps the open elements. Subclasses keep what they find."""
 
-    # What messages give as what was expected.
+    # The example that messages give as expected.
     example = EXAMPLE
 
     def __init__(self, text: str, source: str) -> None:
@@ -87,7 +87,7 @@ class XmlReader:
         return re.sub(r"[^\n]", " ", declaration[0]) + text[declaration.end() :]
 
     def parse(self) -> None:
-        """Read everything; raise InputError, with its place, for what is not well-formed."""
+        """Read everything; raise InputError, with its place, if the markup is not well-formed."""
         parser = expat.ParserCreate("utf-8")
         parser.ordered_attributes = True
         parser.StartElementHandler = self._start

@@ -29,7 +29,7 @@ def names_something(path: str) -> bool:
 
 
 def read_text(path: str) -> str:
-    """Return a file's text, line ends as in Unix; raise InputError for what is no text file or too large."""
+    """Return a file's text, line ends as in Unix; raise InputError if it is not text or too large."""
     place = Place(one_line(path, LONGEST_PATH))
     if Path(path).is_dir():
         raise InputError("is a folder; expected a file, or --text to have the words spoken", place)

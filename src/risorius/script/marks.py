@@ -1,4 +1,4 @@
-"""The markup's elements: what each one's attributes mean.
+"""The markup's elements: the meaning of their attributes.
 
 A new element is a function from attributes to marks and its line in `ELEMENTS`.
 """
@@ -22,7 +22,7 @@ from .model import Mark, MarkKind
 from .quote import one_line
 from .targets import take_emotions, take_targets
 
-# What every mark may say. `time`, `duration` and `end` first: they are the nearest to guess.
+# Attributes of every mark. `time`, `duration` and `end` come first: they are the likeliest guesses.
 COMMON = (
     "time", "duration", "end", "onset", "offset", "priority", "release_priority", "layer", "function",
 )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Paper A's markup (section 2): what is spoken and what is shown, each element with its time."""
+"""Paper A's markup (section 2): spoken lines and shown marks, each element with its time."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def parse_markup(text: str, source: str = "text") -> Script:
 
 
 def _line(attributes: Attributes, latest: float | None) -> SpokenLine:
-    """Return what a PHONEME says; its time, if given, comes after `latest`, that of the lines before."""
+    """Return the line of a PHONEME; its time, if given, comes after `latest`, that of the lines before."""
     start, text = attributes.number("time", 0.0, MAX_SECONDS), attributes.take("text")
     accents = attributes.take("accents")
     attributes.finish()

@@ -1,4 +1,4 @@
-"""What is to be said and shown, before anything is spoken."""
+"""The script: lines to be said and marks to be shown, before anything is spoken."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from ..errors import Place
 from ..rules.gestures import GesturePart
 from .anchor import Anchor, Base
 
-# Seconds that a mark to the end is held at least, where it has no onset of its own.
+# Minimum hold, in seconds, of a mark that lasts to the end and has no onset of its own.
 SHORTEST_HOLD = 0.3
 
 
 class MarkKind(StrEnum):
-    """What a mark asks for."""
+    """The kind of movement that a mark asks for."""
 
     EMOTION = "emotion"
     EMBLEM = "emblem"
@@ -37,8 +37,8 @@ WHOLE = (GesturePart(),)
 class Mark:
     """Something to show on one channel.
 
-    `targets` maps parameter names to values. `onset`, `offset` in seconds and `function` are None where the
-    channel's own holds, `priority` and `release_priority` likewise. `parts`: the movements that the mark
+    `targets` maps parameter names to values. `onset`, `offset` in seconds and `function` are None if the
+    channel's own apply, `priority` and `release_priority` likewise. `parts`: the movements that the mark
     consists of, one for all but gestures of the head. `label`: how the user wrote it. `emotions`: those felt,
     by name, with their intensities 0..1.
     """
@@ -62,10 +62,10 @@ class Mark:
 
 @dataclass(frozen=True, slots=True)
 class SpokenLine:
-    """Words spoken in one go, from `start` seconds on; where it is None, `gap` seconds after the line before.
+    """Words spoken in one go, from `start` seconds on; if it is None, `gap` seconds after the line before.
 
     `source_offset`: where the line begins in the script's text. `place`: where it stands in the source.
-    `directions` count the line's own characters. `gap` is the usual one where it is None.
+    `directions` count the line's own characters. `gap` None is the usual gap.
     """
 
     text: str
@@ -81,7 +81,7 @@ class Script:
     """The words to speak, line by line, and the marks.
 
     `text`: all lines, joined by line ends. `timed`: times are absolute, without lead or tail (markup).
-    `source`: the file's name. `language`: None where the source does not say.
+    `source`: the file's name. `language`: None if the source does not say.
     """
 
     text: str

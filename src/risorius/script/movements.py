@@ -123,7 +123,7 @@ def _moves_eyes_alone(mark: Mark) -> bool:
 
 
 class _Eyes:
-    """Where each layer's last movement left the eyes, so that a turn takes as long as its angle asks for."""
+    """The eyes' direction after each layer's last movement, so that a turn takes the time its angle needs."""
 
     def __init__(self) -> None:
         self._last: dict[tuple[str, str], tuple[float, tuple[float, float]]] = {}

@@ -30,7 +30,7 @@ _CAPITALS = re.compile(r"[A-ZÀ-ÖØ-Þ]{2}|^[A-ZÀ-ÖØ-Þ]$")
 
 @dataclass(frozen=True, slots=True)
 class Item:
-    """What stands between blanks, and where."""
+    """A text between blanks, with its place."""
 
     text: str
     place: Place
@@ -38,7 +38,7 @@ class Item:
 
 @dataclass(frozen=True, slots=True)
 class Bracket:
-    """A pair of brackets: its items, where it opens, and what follows it up to the next."""
+    """A pair of brackets: its items, its place, and the text after it up to the next."""
 
     items: tuple[Item, ...]
     place: Place
@@ -98,7 +98,7 @@ def _at(place: Place, index: int) -> Place:
 
 @dataclass(frozen=True, slots=True)
 class Tune:
-    """The tones of one phrase: its accents, and the boundary, "" where none is written."""
+    """The tones of one phrase: its accents, and the boundary, "" if none is written."""
 
     accents: tuple[tuple[str, Place], ...]
     boundary: str
@@ -134,8 +134,8 @@ class Written:
 def write_out(phrases: Sequence[Bracket], tunes: Sequence[Tune]) -> Written:
     """Return the text of `phrases` under `tunes`, of which there may be none.
 
-    Where a phrase ends without punctuation, its boundary gives some, so that the voice ends it so. Raises
-    InputError, with the place, where brackets or accents do not pair.
+    If a phrase ends without punctuation, its boundary gives some, so that the voice ends it so. Raises
+    InputError, with the place, if brackets or accents do not pair.
     """
     if tunes and len(tunes) != len(phrases):
         at = tunes[min(len(phrases), len(tunes)) - 1].place
@@ -189,7 +189,7 @@ def _starts(words: Sequence[str]) -> list[int]:
 
 
 def _accented(placed: Sequence[tuple[int, int, Item]], tune: Tune) -> list[tuple[int, int]]:
-    """Return the accented words of a phrase: those in capitals, or where there are none, the last ones."""
+    """Return the accented words of a phrase: those in capitals, or without capitals, the last ones."""
     marked = [(a, b) for a, b, item in placed if _is_marked(item.text)]
     if not marked:
         marked = [(a, b) for a, b, _ in placed][-len(tune.accents) :] if tune.accents else []

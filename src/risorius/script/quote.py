@@ -7,7 +7,7 @@ LONGEST_PATH = 1000
 
 
 def one_line(text: str, longest: int = _LONGEST) -> str:
-    """Return `text` on one line of at most `longest` characters; what cannot be printed becomes a space."""
+    """Return `text` on one line of at most `longest` characters; unprintable characters become spaces."""
     shown = "".join(c if c.isprintable() else " " for c in text[: longest + 1])
     return shown if len(shown) <= longest else shown[: longest - 1] + "…"
 

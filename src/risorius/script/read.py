@@ -1,4 +1,4 @@
-"""From what the user gave, text or the name of a file, to a script: one reader per suffix.
+"""Read a user's text, or the file that it names, into a script: one reader per suffix.
 
 A new format is a file with a function from text and name to a script, and its line in `READERS`.
 """
@@ -29,7 +29,7 @@ READERS.register(".utt")(parse_utterance)
 READERS.register(".ssml")(parse_ssml)
 READERS.register(".bml")(parse_bml)
 
-# What is named like an input is a file, never words to speak, even where there is no reader for it.
+# A text with one of these suffixes is a file, never words to speak, even if no reader is registered for it.
 INPUT_SUFFIXES = (".txt", ".xml", ".utt", ".ssml", ".bml", ".textgrid", ".json")
 _WORD = re.compile(r"[^\s\0]+")
 _ENDING = re.compile(r"\.\d{0,4}[A-Za-z][A-Za-z0-9]{0,4}")

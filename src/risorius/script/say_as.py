@@ -1,4 +1,4 @@
-"""How SSML's `say-as` is read aloud: words for words."""
+"""Reading of SSML's `say-as` aloud: words for words."""
 
 from __future__ import annotations
 
@@ -36,4 +36,4 @@ SAY_AS: Mapping[str, Callable[[str], str]] = {
     "currency": _as_written,
     "unit": _as_written,
 }
-"""How each `interpret-as` is read; dates and times need a format, and are not understood."""
+"""The reader of each `interpret-as`; dates and times need a format, and are not understood."""

@@ -1,4 +1,4 @@
-"""What can be spoken: some letter or digit, no control characters, not too much."""
+"""Check that a text can be spoken: a letter or digit, no control characters, not too much."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def check_speakable(text: str, source: str, place: Place | None = None) -> None:
                 f"U+{ord(character):04X} is not a character of a text; expected plain words", where
             )
     if not any(c.isalnum() for c in text):
-        raise InputError(f"nothing can be spoken in {quoted(text)}; expected some letter or digit", at)
+        raise InputError(f"nothing can be spoken in {quoted(text)}; expected a letter or digit", at)
 
 
 def check_length(characters: int, place: Place) -> None:

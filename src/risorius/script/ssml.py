@@ -1,4 +1,4 @@
-"""SSML 1.1 documents: what is to be spoken and how. What is not understood is said by name, and left out.
+"""SSML 1.1 documents: words and directions for speaking them. Unsupported parts are named and left out.
 
 A new element is a function from the writer and the node, and its lines in `ELEMENTS` and `ATTRIBUTES`.
 """
@@ -43,7 +43,7 @@ def parse_ssml(text: str, source: str = "text") -> Script:
 
 @dataclass
 class SsmlWriter:
-    """Writes the words of a document down, one blank between them, and what is said about their speaking."""
+    """Writes the words of a document down, one blank between them, and the directions for speaking them."""
 
     unknowns: Unknowns
     text: str = ""
@@ -57,7 +57,7 @@ class SsmlWriter:
         return self.text.rstrip(), Directions(tuple(self.spans), tuple(self.breaks), syncs=tuple(self.syncs))
 
     def write(self, node: XmlNode) -> None:
-        """Write what stands in a node."""
+        """Write the contents of a node."""
         for child in node.children:
             if isinstance(child, Text):
                 self.put(child.text)
@@ -70,7 +70,7 @@ class SsmlWriter:
         self.text += flat.lstrip() if not self.text or self.text.endswith(" ") else flat
 
     def perform(self, node: XmlNode) -> None:
-        """Do what an element asks for."""
+        """Apply an element."""
         if node.name in ELEMENTS:
             self.unknowns.check(node, ATTRIBUTES.get(node.name, ()))
             try:
@@ -82,7 +82,7 @@ class SsmlWriter:
             self.write(node)
 
     def within(self, node: XmlNode, **asked: object) -> None:
-        """Write what stands in a node as a span that asks for something."""
+        """Write the contents of a node as a span with a direction."""
         index = len(self.spans)
         start = len(self.text)
         self.write(node)
@@ -186,7 +186,7 @@ def _voice(writer: SsmlWriter, node: XmlNode) -> None:
 
 
 def _silent(writer: SsmlWriter, node: XmlNode) -> None:
-    """Leave out what is not for speaking."""
+    """Leave out an element that is not for speaking."""
 
 
 ELEMENTS: Mapping[str, Callable[[SsmlWriter, XmlNode], None]] = {

@@ -1,4 +1,4 @@
-"""What a script says about the speaker's state: emotions felt, and when the other one speaks."""
+"""The speaker's state in a script: emotions felt, and spans in which the other one speaks."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ _TOKEN = re.compile(
 
 
 class Label(NamedTuple):
-    """A label on [start, end] seconds, or at a point where both are the same; `line`: where it was read."""
+    """A label on [start, end] seconds, or at a point if both are the same; `line`: where it was read."""
 
     start: float
     end: float

@@ -25,7 +25,7 @@ class Text:
 
 @dataclass(frozen=True, slots=True)
 class XmlNode:
-    """An element: its name without the namespace's prefix, its attributes, its place, what stands in it.
+    """An element: its name without the namespace's prefix, its attributes, its place, its contents.
 
     `written`: the name with its prefix.
     """
@@ -88,13 +88,13 @@ class XmlNode:
 
 
 class Unknowns:
-    """Warns of what is not understood, by name and place, once for each."""
+    """Warns of unsupported parts, by name and place, once for each."""
 
     def __init__(self) -> None:
         self._told: set[str] = set()
 
     def tell(self, what: str, place: Place, instead: str = "it is left out") -> None:
-        """Warn that `what` at `place` is not understood."""
+        """Warn that `what`, at `place`, is not supported."""
         if what not in self._told:
             self._told.add(what)
             warn(f"{place}: {what} is not understood; {instead}", ScriptWarning)

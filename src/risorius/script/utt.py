@@ -40,7 +40,7 @@ class _Entry:
 
 @dataclass
 class _Sentence:
-    """A text with what stands below it."""
+    """A text with the entries below it."""
 
     text: _Entry
     rest: dict[str, _Entry] = field(default_factory=dict)

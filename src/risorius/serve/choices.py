@@ -22,7 +22,7 @@ FASTEST = 120
 
 
 def settings_from(start: StartFace) -> Settings:
-    """Return the settings that a client asks for; raises InputError or ParameterError for what is none."""
+    """Return the settings that a client asks for; raises InputError or ParameterError for an invalid one."""
     _check(start.settings)
     fps = parse_fps(start.fps)
     if not 1 <= fps <= FASTEST:

@@ -1,4 +1,4 @@
-"""One client: its messages in, its frames out. What it does wrong, or does not read, delays nobody else."""
+"""One client: its messages in, its frames out. Its errors and unread frames delay nobody else."""
 
 from __future__ import annotations
 
@@ -55,8 +55,8 @@ class GoodbyeError(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Gate:
-    """What a client must know and may choose: the token, None where none is asked for, and the rig; and what
-    makes its face.
+    """The conditions for clients: the token that they must send (None: no token), the `rig` that they may
+    choose, and the function that makes a client's `face`.
     """
 
     token: str | None = None
@@ -141,7 +141,7 @@ class LiveClient:
         return any(known)
 
     def _wanted(self, start: StartFace) -> tuple[FrameLayout, Settings]:
-        """Return what frames hold, and the settings; what cannot be had ends it."""
+        """Return the contents of frames, and the settings; a request that cannot be met ends it."""
         try:
             if start.version != VERSION:
                 raise InputError(f"version {start.version}; expected {VERSION}")
@@ -219,7 +219,7 @@ class LiveClient:
                 self._mailbox.tell(written("error", message=error.message))
 
     async def _received(self) -> str:
-        """Return the next message; raises InputError for one that is no text."""
+        """Return the next message; raises InputError if it is not a text."""
         message = await self._socket.receive()
         if message["type"] == "websocket.disconnect":
             raise WebSocketDisconnect(message.get("code", DONE))
@@ -236,7 +236,7 @@ class LiveClient:
 
 
 def follow(face: Live, message: ClientMessage) -> None:
-    """Do what a message asks for; raises RisoriusError."""
+    """Obey a message; raises RisoriusError."""
     match message:
         case Say():
             sound = message.sound
@@ -258,10 +258,10 @@ def follow(face: Live, message: ClientMessage) -> None:
         case Close():
             face.close()
         case StartFace():
-            raise InputError("the face is there already; expected 'start' once")
+            raise InputError("the face has started already; expected 'start' once")
 
 
 def _started(layout: FrameLayout, settings: Settings) -> str:
-    """Return what the first frame's values will be."""
+    """Return the event `started`, with the names of a frame's values."""
     columns = {str(output): list(names) for output, names in layout.names.items()}
     return written("started", version=VERSION, fps=float(settings.fps), head=settings.head, **columns)

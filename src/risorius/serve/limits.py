@@ -1,4 +1,4 @@
-"""Limits of what a client may send and leave unread."""
+"""Limits of messages that a client may send and of frames that it may leave unread."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What waits for a client: a few frames, the sound of those that were dropped, and events."""
+"""The queue of a client: a few frames, the sound of dropped frames, and events."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class Mailbox:
         self._filled.set()
 
     def end(self) -> None:
-        """Let nothing more be expected than what waits."""
+        """End the queue after the items that wait."""
         self._ended = True
         self._filled.set()
 

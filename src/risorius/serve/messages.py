@@ -1,4 +1,4 @@
-"""What a client says: strict decoding into dataclasses, whose fields are the keys of the messages.
+"""Messages of clients, decoded strictly into dataclasses, whose fields are the keys of the messages.
 
 docs/serve.md describes the messages; a change that breaks a client raises `VERSION`.
 """
@@ -27,14 +27,14 @@ VERSION = 1
 
 
 class FrameFormat(StrEnum):
-    """How frames are written."""
+    """The format of frames."""
 
     JSON = "json"
     BINARY = "binary"
 
 
 class Output(StrEnum):
-    """What a frame has beside its sound."""
+    """A part of a frame beside its sound."""
 
     PARAMETERS = "parameters"
     ARKIT = "arkit"
@@ -44,7 +44,7 @@ class Output(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class StartFace:
-    """The first message: what is wanted. `ahead`: seconds by which frames come before they are due."""
+    """The first message: the wishes. `ahead`: seconds by which frames come before they are due."""
 
     version: int
     fps: float | str = 30
@@ -75,7 +75,7 @@ class Say:
 
     @property
     def sound(self) -> bytes | None:
-        """The voice's bytes, if there are any; raises InputError for what is no base64."""
+        """The voice's bytes, if there are any; raises InputError if they are not base64."""
         return None if self.audio is None else _bytes_of(self.audio)
 
 
@@ -89,11 +89,11 @@ class LookAt:
 
     @property
     def direction(self) -> str | tuple[float, float] | None:
-        """The direction; raises InputError for half of one, and for two."""
+        """The target's name or (pitch, yaw); raises InputError unless exactly one of the two is complete."""
         if self.pitch is None and self.yaw is None:
             return self.target
         if self.target is not None or self.pitch is None or self.yaw is None:
-            raise InputError("half a direction, or two; expected a target, or pitch and yaw")
+            raise InputError("give either a target, or both pitch and yaw")
         return self.pitch, self.yaw
 
 
@@ -107,14 +107,14 @@ class Feel:
 
 @dataclass(frozen=True, slots=True)
 class Listen:
-    """A piece of what the other says: 16-bit samples, little-endian, one channel, in base64."""
+    """A piece of the other's speech: 16-bit samples, little-endian, one channel, in base64."""
 
     audio: str
     rate: int
 
     @property
     def samples(self) -> Samples:
-        """The samples; raises InputError for what is none."""
+        """The samples; raises InputError if they cannot be decoded."""
         return samples_of(self.audio)
 
 
@@ -130,7 +130,7 @@ class Interrupt:
 
 @dataclass(frozen=True, slots=True)
 class Close:
-    """Say what has arrived, and end."""
+    """Say the text that has arrived, and end."""
 
 
 ClientMessage = StartFace | Say | LookAt | Feel | Listen | Flush | Interrupt | Close
@@ -144,7 +144,7 @@ KINDS: Mapping[str, type[ClientMessage]] = {
     "interrupt": Interrupt,
     "close": Close,
 }
-"""The messages by what `do` calls them."""
+"""The messages by their name in `do`."""
 
 
 def decode(text: str) -> ClientMessage:
@@ -173,4 +173,4 @@ def _bytes_of(text: str) -> bytes:
     try:
         return base64.b64decode(text, validate=True)
     except (binascii.Error, ValueError):
-        raise InputError("the sound is not base64; expected samples in it") from None
+        raise InputError("the sound is not base64; expected samples in base64") from None

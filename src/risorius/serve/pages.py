@@ -1,4 +1,4 @@
-"""What a browser asks of the server: the example page, its module, and heads as files."""
+"""Files that browsers get from the server: the example page, its module, and heads."""
 
 from __future__ import annotations
 

@@ -38,11 +38,11 @@ LOG = logging.getLogger(__name__)
 
 @dataclass(frozen=True, slots=True)
 class ServeOptions:
-    """Where the server listens, for whom, and what for.
+    """The options of a server: its address, its clients, and the faces that it makes.
 
     `token`: what clients must send; needed if other machines can reach `host`. `origins`: pages of other
     servers that may connect. `clients`: how many at once. `rig`: the character whose morph targets are sent.
-    `face` makes a client's face of its settings: an agent's answers where others say what they are given.
+    `face` makes a client's face of its settings: an agent's face answers, others say what they are given.
     Raises InputError for a server that anybody could use.
     """
 
@@ -117,7 +117,7 @@ class LiveServer:
 
 
 def warm_up() -> None:
-    """Load and compile what the first client would wait for, beside the process that performs for it."""
+    """Load and compile ahead for the first client, beside the process that performs for it."""
     warm_beside()
     try:
         speak("Hello.", text=True)

@@ -1,4 +1,4 @@
-"""From text to speech: sound, and what is said when."""
+"""From text to speech: sound with timed words and phones."""
 
 from .affect import feelings
 from .engines.voices import voices

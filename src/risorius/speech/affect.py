@@ -59,7 +59,7 @@ def _displayed(display: Display) -> Feeling:
 
 
 def common_manner(felt: Sequence[Feeling]) -> Manner | None:
-    """Return the manner of the whole where the emotions colour all of it, else None."""
+    """Return the manner of the whole if the emotions colour all of it, else None."""
     if not all(feeling.throughout for feeling in felt):
         return None
     return _manner(felt)

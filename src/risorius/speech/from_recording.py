@@ -1,4 +1,4 @@
-"""From recorded speech to what it says: by its transcript, by labels, or by ear alone."""
+"""Utterances of recorded speech: by its transcript, by labels, or by ear alone."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ WEAKER = "there is no transcript: words are recognized from the sound, with erro
 
 @dataclass(frozen=True, slots=True)
 class Recording:
-    """A recorded voice: the file `audio`, and what is known of what it says.
+    """A recorded voice: the file `audio`, and what is known of its words.
 
-    `transcript`: the words; `script`: what is marked, and the words where there is no transcript. Without
-    either, the words are recognized. `language` is that of the words, by default the script's, or English.
+    `transcript`: the words; `script`: the marks, and the words if there is no transcript. Without either, the
+    words are recognized. `language` is that of the words, by default the script's, or English.
     """
 
     audio: str | PathLike[str]
@@ -44,14 +44,14 @@ class Recording:
 
 @dataclass(frozen=True, slots=True)
 class LabelledRecording:
-    """A recorded voice, the file `audio` (None for silence), and the TextGrid of what it says when."""
+    """A recorded voice, the file `audio` (None for silence), and the TextGrid of its timed words."""
 
     labels: str
     audio: str | PathLike[str] | None = None
 
 
 def hear(recording: Recording | LabelledRecording, progress: Progress = quiet) -> tuple[Script, Utterance]:
-    """Return what is to be performed, and what is said when, and how, in a recording.
+    """Return the script to be performed, and the timed utterance of a recording.
 
     Recognized words come with a warning (SpeechWarning). Raises InputError for what does not fit.
     """
@@ -70,7 +70,7 @@ def hear(recording: Recording | LabelledRecording, progress: Progress = quiet) -
 def _hear_script(
     audio: str | PathLike[str], script: Script, progress: Progress, language: str | None
 ) -> Utterance:
-    """Return what is said when a recording reads a script; durations that it writes are its labels."""
+    """Return the utterance of a recording that reads a script; durations in the script are its labels."""
     directions = Directions()
     for line in script.lines:
         directions = directions.joined(line.directions.moved(line.source_offset))
@@ -92,7 +92,7 @@ def hear_words(
     progress: Progress = quiet,
     language: str | None = None,
 ) -> Utterance:
-    """Return what is said when, and how, in a recording; its words are recognized if None are given.
+    """Return the utterance of a recording, with times; its words are recognized if none are given.
 
     `language` is that of the words that are given, by default English.
     """
@@ -124,7 +124,7 @@ def _labelled(recording: LabelledRecording, progress: Progress) -> Utterance:
 def _hear_timed(
     audio: str | PathLike[str], words: list[TimedWord], source: str, progress: Progress
 ) -> Utterance:
-    """Return what is said when in a recording whose words have labels: these are kept."""
+    """Return the utterance of a recording whose words have labels: these are kept."""
     sound = read_recording(audio)
     progress("Aligning …")
     try:
@@ -135,7 +135,7 @@ def _hear_timed(
 
 
 def with_written_tones(utterance: Utterance, script: Script) -> Utterance:
-    """Return the utterance with the tones that the script has; where it has any, none are measured."""
+    """Return the utterance with the tones that the script has; if it has any, none are measured."""
     accents = [tone for line in script.lines for tone in line.directions.moved(line.source_offset).accents]
     ends = [tone for line in script.lines for tone in line.directions.moved(line.source_offset).boundaries]
     if not accents and not ends:

@@ -1,4 +1,4 @@
-"""From what a user names, texts and files, to a script or a recording."""
+"""Read the texts and files that a user names into a script or a recording."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ TRANSCRIPT_SUFFIXES = (".txt", ".lab")
 
 @dataclass(frozen=True, slots=True)
 class Input:
-    """What is to be performed, as a user names it.
+    """An input to be performed, as a user names it.
 
     `script`: a text or the name of a file, a TextGrid among them; `text` takes it as a text whatever it looks
     like, `name` stands for it in messages. `audio`: the file of a recording; `transcript`: its words, or the
     name of a file with them; `language`: that of a recording's words. `content`: what the file `script`
-    holds, if it is not to be read from there. What was spoken `before` is not spoken again; what is spoken is
+    holds, if it is not to be read from there. Speech from `before` is not spoken again; what is spoken is
     added to it.
     """
 
@@ -44,7 +44,7 @@ class Input:
 
 
 def read(source: Input) -> Script | Recording | LabelledRecording:
-    """Return a script that is to be spoken, or a recording with what is known of its words.
+    """Return a script that is to be spoken, or a recording with its known words.
 
     Raises InputError, with its place, for what is missing, does not fit together or cannot be read; whether
     recording and labels can be used is seen when they are heard.

@@ -8,6 +8,7 @@ from functools import partial
 from typing import TypeVar
 
 from ..core.audio import Audio, AudioWriter
+from ..core.choices import LEAD, TAIL
 from ..core.progress import Progress, quiet
 from ..core.time import ticks_of
 from ..core.utterance import (
@@ -61,8 +62,8 @@ def say(
     voice: str | None = None,
     language: str | None = None,
     rate: int | None = None,
-    lead: float = 0.5,
-    tail: float = 0.7,
+    lead: float = LEAD,
+    tail: float = TAIL,
     answers: str | None = None,
     felt: Sequence[Feeling] = (),
     progress: Progress = quiet,

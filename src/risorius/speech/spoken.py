@@ -1,4 +1,4 @@
-"""What was spoken before, for whoever speaks a text again that has grown or changed."""
+"""Keep earlier speech, so that a text that has grown or changed is not spoken anew."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .prosody.pitch_cache import PitchCache
 
 
 class Renditions(OrderedDict[SpeechRequest, Rendition]):
-    """The latest `most` stretches that a voice has spoken, by what it was asked for."""
+    """The latest `most` stretches that a voice has spoken, by request."""
 
     def __init__(self, most: int = 64) -> None:
         super().__init__()
@@ -24,7 +24,7 @@ class Renditions(OrderedDict[SpeechRequest, Rendition]):
 
 @dataclass(frozen=True, slots=True)
 class SpokenBefore:
-    """The sound and the pitch of what one engine has spoken; both are the same when it is spoken again."""
+    """The sound and the pitch of one engine's speech; both are the same when it is spoken again."""
 
     renditions: Renditions = field(default_factory=Renditions)
     pitch: PitchCache = field(default_factory=PitchCache)

@@ -8,6 +8,7 @@ from dataclasses import replace
 from itertools import chain, pairwise
 
 from ..core.audio import AudioWriter
+from ..core.choices import RATES, SILENCES
 from ..core.directions import UNDIRECTED, DirectedSpan, Directions
 from ..core.manner import PLAIN, Manner
 from ..core.utterance import Utterance
@@ -30,8 +31,6 @@ from .text.tokens import Token, is_speakable, tokenize, with_words
 KnownRenditions = MutableMapping[SpeechRequest, Rendition]
 """What a voice has spoken, by what it was asked for."""
 LONGEST_TEXT = 100_000
-SLOWEST, FASTEST = 80, 440
-LONGEST_SILENCE = 600
 LOWEST_PITCH, HIGHEST_PITCH = 0, 99
 
 
@@ -53,7 +52,7 @@ def synthesize(
     """Speak `text` and return the utterance, with `lead` and `tail` seconds of silence around it.
 
     `voice` is a name from `voices` (default `en-us`) or a voice's file; with `language` alone its first
-    voice speaks. `rate` is in words per minute, 80 to 440, `pitch` 0 to 99; None leaves the voice's own.
+    voice speaks. `rate` is in words per minute (`RATES`), `pitch` 0 to 99; None leaves the voice's own.
     `manner` changes the whole, `directions` parts of it. `progress` is told the share (0..1) that is done.
     What is in `spoken` is not spoken again; what is spoken is added to it.
     Same arguments, same bytes.
@@ -187,10 +186,12 @@ def _check_text(text: str) -> None:
 
 
 def _check_numbers(rate: int | None, pitch: int | None, lead: float, tail: float) -> None:
-    if rate is not None and not SLOWEST <= rate <= FASTEST:
-        raise ParameterError(f"rate {rate} is out of range; expected {SLOWEST} to {FASTEST} words per minute")
+    if rate is not None and not RATES.allows(rate):
+        expected = f"{RATES.low} to {RATES.high} words per minute"
+        raise ParameterError(f"rate {rate} is out of range; expected {expected}")
     if pitch is not None and not LOWEST_PITCH <= pitch <= HIGHEST_PITCH:
         raise ParameterError(f"pitch {pitch} is out of range; expected {LOWEST_PITCH} to {HIGHEST_PITCH}")
     for name, seconds in (("lead", lead), ("tail", tail)):
-        if not 0 <= seconds <= LONGEST_SILENCE:
-            raise ParameterError(f"{name} {seconds} is out of range; expected 0 to {LONGEST_SILENCE} seconds")
+        if not SILENCES.allows(seconds):
+            expected = f"{SILENCES.low:g} to {SILENCES.high:g} seconds"
+            raise ParameterError(f"{name} {seconds} is out of range; expected {expected}")

@@ -1,4 +1,4 @@
-"""What time it is in a performance: by the sound that is heard, or by the machine's clock."""
+"""The time in a performance, by the sound that is heard or by the machine's clock."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class SoundClock(MachineClock):
     """Plays a sound; its time is that of the samples heard, so that face and voice cannot drift apart.
 
     Between two blocks, and after the sound's end, the machine's clock goes on from there. Needs sounddevice
-    (the extra `stream`); raises OutputError where it, or an output device, is missing.
+    (the extra `stream`); raises OutputError if it, or an output device, is missing.
     """
 
     def __init__(self, audio: Audio) -> None:

@@ -31,7 +31,7 @@ def wait_for_greeting(at: Address, greetings: Greetings, seconds: float) -> tupl
             greeting = greetings.get(data.strip(b"\0\r\n "))
             if greeting is not None:
                 return str(sender[0]), greeting
-    raise OutputError(f"no receiver has sent its greeting to {at} within {seconds:g} s; expected one")
+    raise OutputError(f"no receiver sent its greeting to {at} within {seconds:g} s; expected one")
 
 
 def _listening(at: Address) -> socket.socket:

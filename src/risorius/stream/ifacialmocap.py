@@ -4,7 +4,7 @@ Names end in `_L` and `_R` but for jaw and mouth as a whole (the app's documenta
 hundredth, what 52 shapes cannot show.
 
 A receiver sends its greeting to the app's port 49983, and the app answers with a datagram per frame to the
-receiver's port 49983, or, where the greeting says so, connects to its port 49986 by TCP and marks the end of
+receiver's port 49983, or, if the greeting says so, connects to its port 49986 by TCP and marks the end of
 each frame (the app's page for developers). Some ask for version 2 by that, which writes `name&value` in place
 of `name-value`.
 """
@@ -26,7 +26,7 @@ GREETINGS = {
     for asks, protocol in _ASKS.items()
     for version, dialect in _VERSIONS.items()
 }
-"""What receivers send before anything is sent to them."""
+"""The handshakes that receivers send before anything is sent to them."""
 
 _END = b"___iFacialMocap"
 """Ends each frame in a stream."""

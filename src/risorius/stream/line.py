@@ -1,4 +1,4 @@
-"""Who is sent something, and how: the protocol, the address, or a greeting to wait for."""
+"""The receiver of a stream: its protocol and address, or a handshake to wait for."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Line:
 
     @classmethod
     def named(cls, protocol: str, to: str, listen: str | None, options: Options | None) -> Line:
-        """Return the line to a receiver; raise InputError for what there is not, OutputError for no host."""
+        """Return the line to a receiver; raise InputError for an unknown option, OutputError for no host."""
         chosen, options = PROTOCOLS.get(protocol), options or Options()
         address = parse_address(listen or to, chosen.port)
         if listen is not None and not chosen.greetings:
@@ -37,7 +37,7 @@ class Line:
         return cls(chosen, options, address, listen is not None)
 
     def greeted(self, patience: float, progress: Progress) -> Line:
-        """Return the line to who greets, where that is waited for; raise OutputError if nobody does."""
+        """Wait for a handshake, if asked to, and return its sender; raise OutputError if none comes."""
         if not self.listens:
             return self
         progress(f"Waiting for a greeting at {self.address} …")

@@ -15,21 +15,21 @@ NAMES = ("vrm0", "vrm1", "arkit", "ARKit")
 
 @dataclass(frozen=True, slots=True)
 class Asked:
-    """What a receiver's greeting asks for: a protocol, at its usual port, and the protocol's dialect."""
+    """The request in a receiver's handshake: a protocol, at its usual port, and the protocol's dialect."""
 
     protocol: str
     dialect: str
 
 
 Greetings = Mapping[bytes, Asked]
-"""What a receiver may say to be sent something."""
+"""The handshakes of receivers, and what each requests."""
 
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """`subject`: who is shown, by which a receiver tells several apart. `names` of expressions over VMC: the
-    presets of VRM 0 or VRM 1, or the 52 shapes (Perfect Sync) with a small or a capital first letter.
-    `dialect`: what the receiver's greeting asked for, where the protocol has one.
+    """`subject`: the subject name; receivers use it to distinguish faces. `names` of expressions over VMC:
+    the presets of VRM 0 or VRM 1, or the 52 shapes (Perfect Sync) with a small or a capital first letter.
+    `dialect`: that of the receiver's handshake, if the protocol has dialects.
     """
 
     subject: str = "risorius"
@@ -63,7 +63,7 @@ Packets = Callable[[ArkitMoment], Sequence[bytes]]
 class Protocol:
     """A protocol: its receivers' usual port, and `make(fps, options)`, which returns its packets.
 
-    `greetings`: what a receiver says first to that port of ours, where the protocol has that. `tcp`: the
+    `greetings`: what a receiver says first to that port of ours, if the protocol has that. `tcp`: the
     packets are pieces of one stream, not datagrams. `reads`: the options that it reads.
     """
 
@@ -99,4 +99,4 @@ def check_options(name: str, options: Options) -> None:
     unread = [option for option in changed if option not in reads]
     if unread:
         readers = [other for other in PROTOCOLS if unread[0] in PROTOCOLS.get(other).reads]
-        raise UnreadError(unread, f"{name} does not send it; expected the protocol {' or '.join(readers)}")
+        raise UnreadError(unread, f"{name} does not use it; expected the protocol {' or '.join(readers)}")

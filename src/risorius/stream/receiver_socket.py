@@ -17,7 +17,7 @@ PATIENCE = 5.0  # s that a receiver may take to answer, or to read on
 
 @dataclass(frozen=True, slots=True)
 class Address:
-    """Where a receiver listens."""
+    """The address at which a receiver listens."""
 
     host: str
     port: int

@@ -1,4 +1,4 @@
-"""Sending: frames leave at their time by the clock; what would be late is dropped, so that nothing drifts."""
+"""Sending: frames leave at their time by the clock; late ones are dropped, so that nothing drifts."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .receiver_socket import Address, ReceiverSocket
 
 @dataclass(frozen=True, slots=True)
 class SendCounts:
-    """How many frames were sent, and how many were dropped because their time had passed."""
+    """The numbers of frames sent, and of frames dropped because their time had passed."""
 
     frames: int
     dropped: int

@@ -11,7 +11,7 @@ from ..errors import OutputError
 def open_output(rate: int, callback: Callable[..., None] | None = None) -> Any:
     """Return sounddevice's stream of one 16-bit channel at `rate` Hz, which is not started.
 
-    Raises OutputError where sounddevice (the extra `stream`), or an output device, is missing.
+    Raises OutputError if sounddevice (the extra `stream`), or an output device, is missing.
     """
     try:
         import sounddevice

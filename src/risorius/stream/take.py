@@ -1,4 +1,4 @@
-"""A take sent to another program: who receives it and by which protocol, its sound as the clock."""
+"""A take sent to another program: its receiver and protocol, with the sound as the clock."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ def send_take(
     """Send a take to another program in real time; return how many frames were sent and dropped.
 
     `protocol` is livelink, vmc, ifacialmocap or ifacialmocap-tcp, `to` HOST or HOST:PORT. With `listen`, HOST
-    or HOST:PORT of this machine, it is sent to who greets there within `patience` seconds, as receivers of
-    iFacialMocap do, by datagrams or TCP as they ask.
+    or HOST:PORT of this machine, wait `patience` seconds there for a handshake, which receivers of
+    iFacialMocap send, and send the take to its sender, by datagrams or TCP as it asks.
     With `sound` the voice is played here and is the clock. Raises InputError for a wrong protocol or address,
-    OutputError where nothing listens or nobody greets.
+    OutputError if nothing listens or no handshake comes.
     """
     line = Line.named(protocol, to, listen, options)
     timer = clock.SoundClock(take.audio) if sound and take.audio is not None else clock.MachineClock()

@@ -264,7 +264,7 @@ async def stage(request: Request) -> Response:
 
 
 async def shading(request: Request) -> Response:
-    """Return what each vertex of a head's skin sees of the light (`head_shade.py`)."""
+    """Return the light that reaches each vertex of a head's skin (`head_shade.py`)."""
     return await _of_head(request, _shaded, "application/octet-stream")
 
 
@@ -319,6 +319,6 @@ def _described(head: str, age: float | None, hair: str | None, complexion: float
 
 
 async def _refused(request: Request, error: Exception) -> Response:
-    """Answer with one line: 413 for what is too large, 404 for what is not there to be fetched, else 400."""
+    """Answer with one line: 413 for a file that is too large, 404 for a missing one, else 400."""
     status = 413 if isinstance(error, TooLargeError) else 404 if request.method == "GET" else 400
     return PlainTextResponse(f"{error}\n", status_code=status)

@@ -31,7 +31,7 @@ DRAFT = "draft.json"
 
 @dataclass(frozen=True, slots=True)
 class AutosaveDocument:
-    """What is saved of a session: `score` and `sound` are the names of files beside it."""
+    """The saved state of a session: `score` and `sound` are the names of files beside it."""
 
     risorius_project: ProjectVersion
     made: SavedMade
@@ -47,7 +47,7 @@ class AutosaveDocument:
 
 @dataclass(frozen=True, slots=True)
 class DraftDocument:
-    """What is written but not performed."""
+    """A draft: text that is written but not performed."""
 
     draft: SavedMade
 
@@ -106,7 +106,7 @@ class Autosave:
                     path.unlink(missing_ok=True)
 
     def load(self, session: Session) -> tuple[str, ...]:
-        """Take up what was saved, if anything was; return what went wrong, then the file is put aside."""
+        """Restore the saved state, if any; return the error, if any, after which the file is put aside."""
 
         def project(path: Path) -> None:
             opened, number = self._read(path, session.files)
@@ -139,7 +139,7 @@ class Autosave:
 
 
 def _view(saved: Mapping[str, object]) -> PageView:
-    """Return what the page showed; what cannot be shown any more is no reason to lose the session."""
+    """Return the saved view of the page, or a fresh one if it cannot be read: the session matters more."""
     try:
         return read_message(PageView, saved)
     except (RisoriusError, MisfitError):

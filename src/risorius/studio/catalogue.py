@@ -120,7 +120,7 @@ def _setting(row: Row) -> tables.SettingRow:
 
 
 def _control(row: Row) -> str:
-    """Return what shows a setting: a slider only if it has few steps."""
+    """Return the control of a setting: a slider only if it has few steps."""
     entry = row.entry
     if row.kind is ValueKind.SWITCH:
         return "check"

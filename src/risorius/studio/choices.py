@@ -25,7 +25,7 @@ LARGEST_PROFILE = 100_000
 def settings_of(choices: Choices, folder: Path) -> Settings:
     """Return the settings that `choices` mean; `folder` is the session's, for files made from them.
 
-    Raises InputError or ParameterError for a choice that is none, the name of a file among them.
+    Raises InputError or ParameterError for an invalid choice, the name of a file among them.
     """
     if choices.head not in shipped_heads():
         raise InputError(unknown("head", choices.head, shipped_heads()))

@@ -110,7 +110,7 @@ def _segment(name: str, s: LipSegment) -> takes.Block:
 
 
 def sentence(cause: Cause) -> str:
-    """Return a cause in words: what triggered it, and by which rule and mark."""
+    """Return a cause in words: its trigger, its rule and its mark."""
     by = ", ".join(part for part in (cause.rule, cause.place) if part)
     return f"{cause.trigger} ({by})" if cause.trigger and by else cause.trigger or by
 

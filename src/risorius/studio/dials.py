@@ -24,7 +24,7 @@ _STEP[INDEX["gaze_distance"]] = np.inf
 
 
 def dialled(values: Mapping[str, float], emotions: Mapping[str, float]) -> dict[str, float]:
-    """Return all parameters of a face: what is dialled, and emotions on top. Raises ParameterError."""
+    """Return all parameters of a face: the chosen values, and emotions on top. Raises ParameterError."""
     return dict(zip(NAMES, pose_values(values, emotions).tolist(), strict=True))
 
 

@@ -1,7 +1,7 @@
 """Edits by hand made again on another plan of a line: they follow its words and phones.
 
 An edit names a movement, and times. The movement is the one of the same channel and layer at the same place
-of the same word; each time lies where its phone lies. What is not there any more is lost: it is named, it is
+of the same word; each time lies where its phone lies. An edit whose word is gone is lost: it is named, it is
 made again as soon as the words are there again, and can be put back before at the nearest place.
 """
 
@@ -29,7 +29,7 @@ class _MisfitEditError(Exception):
 
 @dataclass(slots=True)
 class _Places:
-    """Which movement of a new plan each movement of the old one is, and where times lie."""
+    """The movement and the times of a new plan that correspond to those of the old one."""
 
     times: WordTimes
     before: Version
@@ -64,7 +64,7 @@ class _Places:
 
 
 def carried(before: Version, after: Version) -> Version:
-    """Return the new plan `after` with the edits of `before`; what does not fit is in its `lost`."""
+    """Return the new plan `after` with the edits of `before`; edits that do not fit are in its `lost`."""
     version, left = _made(before.edits, before, after, after)
     lost: list[LostEdit] = []
     for entry in before.lost:
@@ -173,7 +173,7 @@ def _near(time: float, places: _Places, shift: float) -> float:
 
 
 def _lost(edits: list[Edit], before: Version, times: WordTimes) -> Iterator[LostEdit]:
-    """Yield what edits had made, once for each movement and curve."""
+    """Yield the results of edits, once for each movement and curve."""
     seen: set[str] = set()
     for edit in edits:
         name = _name(edit)

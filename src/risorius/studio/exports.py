@@ -66,13 +66,13 @@ class Exports:
         return names
 
     def file(self, job: int, name: str) -> Path:
-        """Return a file that an export has written; raise InputError if there is no such file."""
+        """Return a file that an export has written; raise InputError for any other name."""
         if (job, name) not in self._files:
             raise InputError("there is no such file")
         return self._files[job, name]
 
     def archive(self, job: int) -> Path:
-        """Return one archive of all files that an export has written; raise InputError if there are none."""
+        """Return an archive of all files that an export has written; raise InputError for an unknown job."""
         files = [path for (number, _), path in self._files.items() if number == job]
         if not files:
             raise InputError("there is no such file")

@@ -33,12 +33,12 @@ class History(Generic[T]):
 
     @property
     def undoes(self) -> str:
-        """What an undo would reverse, "" if nothing."""
+        """The name of the change that an undo would reverse, "" for none."""
         return self._steps[self._at].what if self._at > 0 else ""
 
     @property
     def redoes(self) -> str:
-        """What a redo would restore, "" if nothing."""
+        """The name of the change that a redo would restore, "" for none."""
         return self._steps[self._at + 1].what if self._at + 1 < len(self._steps) else ""
 
     def copy(self) -> History[T]:
@@ -48,7 +48,7 @@ class History(Generic[T]):
         return other
 
     def push(self, state: T, what: str) -> None:
-        """Make `state` the present; what was undone is forgotten, and the oldest where there are too many."""
+        """Make `state` the present; undone states are forgotten, and the oldest if there are too many."""
         self._steps = [*self._steps[: self._at + 1], Step(state, what)][-self._most - 1 :]
         self._at = len(self._steps) - 1
 
@@ -68,7 +68,7 @@ class History(Generic[T]):
         return self._steps[self._at].state
 
     def redo(self) -> T:
-        """Return the state that was undone last and restore it; raise InputError if there is none."""
+        """Return the state that was undone last and restore it; raise InputError if nothing was undone."""
         if self._at + 1 >= len(self._steps):
             raise InputError("there is nothing to redo")
         self._at += 1

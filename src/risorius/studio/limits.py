@@ -1,4 +1,4 @@
-"""Limits of what a page may send and request."""
+"""Limits of a page's messages and requests."""
 
 from __future__ import annotations
 

@@ -46,7 +46,7 @@ def _part(part: Contribution, ids: set[str]) -> answers.ContributionView:
 def channel_curves(
     session: Session, request: requests.ChannelCurves, progress: Progress
 ) -> answers.ParameterDetail:
-    """Return what each channel asks of a parameter and what it is given."""
+    """Return each channel's request for a parameter, and the part applied."""
     take = session.live(request.take).take
     return answers.ParameterDetail(
         request.parameter, tuple(_channel(trace, take) for trace in take.traces(request.parameter))
@@ -84,7 +84,7 @@ def _by_rule(score: Score) -> dict[str, list[Movement]]:
 
 
 def profile_save(session: Session, request: requests.ProfileText, progress: Progress) -> answers.ProfileFile:
-    """Return a profile with changed numbers as a file; unchanged under its own name if there are none."""
+    """Return a profile with changed numbers as a file; unchanged under its own name if none changed."""
     return answers.ProfileFile(request.name, tuned_text(request.base, request.name, request.numbers))
 
 

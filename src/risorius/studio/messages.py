@@ -31,14 +31,14 @@ class Request:
 
 
 class BadRequestError(RisoriusError):
-    """A message that cannot be understood; `id` is its number where it has one."""
+    """A message that cannot be understood; `id` is its number if it has one."""
 
     id: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class _Beside:
-    """What a preview asks beside its edit."""
+    """Fields of a preview beside its edit."""
 
     face: Seconds | None = None
 
@@ -90,12 +90,12 @@ def _message(verb: str) -> SourceText:
 
 
 def read_message(kind: type[T], data: Mapping[str, object]) -> T:
-    """Return a dataclass of `wire` from what JSON holds; raises MisfitError for what does not fit."""
+    """Return a dataclass of `wire` from JSON data; raises MisfitError for data that does not fit."""
     return cast(T, converter(kind)(without_nulls(data)))
 
 
 def encoded(item: Any) -> Any:
-    """Return a dataclass of `wire` as what JSON can hold."""
+    """Return a dataclass of `wire` as JSON data."""
     if is_dataclass(item):
         return {f.name: encoded(getattr(item, f.name)) for f in fields(item)}
     if isinstance(item, dict):

@@ -92,7 +92,7 @@ class Performer:
     def _said(
         self, source: Source, spans: tuple[EmotionSpan, ...], settings: Settings, progress: Progress
     ) -> tuple[Script, Utterance | None, Displays]:
-        """Return a source's script and what is said of it, and where the spans lie in that."""
+        """Return a source's script, its utterance, and the places of the spans in it."""
         source, edges = replace(source, edges=()), source.edges
         if source.recording is not None or source.format == "TextGrid":
             language = settings.language
@@ -119,7 +119,7 @@ class Performer:
     def _with_edges(
         self, key: tuple[object, ...], said: Utterance | None, edges: tuple[EdgeShift, ...]
     ) -> Utterance | None:
-        """Return what is said with the edges of phones that were moved by hand, the same for the same."""
+        """Return the utterance with phone boundaries moved by hand; the same object for the same moves."""
         if said is None or not edges:
             return said
         return self._moved.get((key, edges), lambda: with_edges(said, edges))
@@ -150,5 +150,5 @@ def _display(span: EmotionSpan, utterance: Utterance | None) -> Display:
     last = 2**31 if span.last is None else span.last
     words = [w for w in utterance.words if w.source_start < last and w.source_end > span.first]
     if not words:
-        raise InputError(f"emotion {span.emotion}: there is no word in characters {span.first} to {last}")
+        raise InputError(f"emotion {span.emotion}: no word stands at characters {span.first} to {last}")
     return replace(display, start=words[0].start, end=words[-1].end)

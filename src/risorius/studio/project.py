@@ -107,14 +107,14 @@ class ProjectDocument:
 
 @dataclass(frozen=True, slots=True)
 class Opened:
-    """What a project holds."""
+    """A project that has been opened."""
 
     version: Version
     view: PageView
 
 
 class Changes(Protocol):
-    """What both kinds of documents save of what a user has changed."""
+    """A user's changes that both kinds of documents save."""
 
     @property
     def edits(self) -> tuple[Edit, ...]:
@@ -130,11 +130,11 @@ class Changes(Protocol):
 
     @property
     def lanes(self) -> LaneStates:
-        """What is muted, solo and locked."""
+        """The lanes that are muted, solo and locked."""
 
 
 def header(version: Version, view: PageView) -> dict[str, Any]:
-    """Return what a project says beside score and sound."""
+    """Return a project's entries beside score and sound."""
     return {
         "risorius_project": VERSION,
         "made": encoded(version.inputs),
@@ -151,7 +151,7 @@ def _kept_edit(edit: Edit) -> dict[str, Any]:
 
 
 def project_file(session: Session) -> bytes:
-    """Return the project as one file. Raises InputError where nothing is performed yet."""
+    """Return the project as one file. Raises InputError if nothing is performed yet."""
     version, files = session.version(), session.files
     document = header(version, session.view)
     document["score"] = score_to_json(version.base, version.utterance)
@@ -167,7 +167,7 @@ def project_file(session: Session) -> bytes:
 
 
 def open_project(data: bytes, files: SessionFiles) -> Opened:
-    """Return what a project file holds; its sound and recording go to the session's folder.
+    """Return the project in a file; its sound and recording go to the session's folder.
 
     Raises InputError or ParameterError, with the path in the file, for what does not fit.
     """
@@ -178,7 +178,7 @@ def open_project(data: bytes, files: SessionFiles) -> Opened:
 
 
 def _opened(project: ProjectDocument, files: SessionFiles) -> Opened:
-    """Return what a project holds; raises MisfitError for a sound or a recording that cannot be used."""
+    """Return the opened project; raises MisfitError for a sound or a recording that cannot be used."""
     for name, values in project.emotions.items():
         if name not in files.emotions():
             files.save_emotion(name, dict(values))
@@ -202,7 +202,7 @@ def version_of(
     saved: Changes,
     files: SessionFiles,
 ) -> Version:
-    """Return the version of a session that a score and what was changed in it are."""
+    """Return the version of a session that a score and the changes in it make."""
     settings = with_profile(settings_of(inputs.choices, files.folder))
     base = score_file.score
     return Version(

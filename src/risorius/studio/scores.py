@@ -28,14 +28,14 @@ def parsed(data: bytes | str, name: str) -> JsonDocument:
 
 
 def read_score(document: JsonDocument, sound: Path | None) -> ScoreFile:
-    """Return a score and what is said; `sound` as in `score_file`. Raises InputError or ParameterError."""
+    """Return a score and its utterance; `sound` as in `score_file`. Raises InputError or ParameterError."""
     score = document.read(ScoreDocument)
     with placed(document.source):
         return score_file(score, sound)
 
 
 def score_file(score: ScoreDocument, sound: Path | None) -> ScoreFile:
-    """Return a score and what is said, sounding as the file `sound` of ours (silent where None).
+    """Return a score and its utterance, with our file `sound` as its sound (silent if None).
 
     The way to a sound that the score names itself is not followed. Raises as `ScoreDocument.score_file`.
     """

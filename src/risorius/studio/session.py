@@ -30,13 +30,13 @@ from .wire.views import PageView
 
 # Seconds after a change for which the skin still moves otherwise: 9 times as long as it takes to forget.
 SETTLING = 0.5
-# What opening a project is called among what can be undone.
+# The name of opening a project in the history.
 OPENED = "open the project"
 
 
 @dataclass(slots=True)
 class SessionTake:
-    """A take with its number, and what the page was told of it."""
+    """A take with its number, and the state of it that the page has."""
 
     number: int
     take: Take
@@ -85,21 +85,21 @@ class Session:
         """Prepare the answer to `perform` with the same fields if the text is short."""
         inputs = shared.TakeInputs(request.source, request.choices, request.emotions)
         if worth_it(inputs.source) and not self._prefetched(inputs):
-            # What cannot be performed is said when it is asked for.
+            # An error is reported once the text is performed.
             with suppress(RisoriusError):
                 version = self._performer.perform(inputs, quiet)
                 self._prefetch = Prefetch(inputs, version, self._performed(version))
         return answers.Done()
 
     def keep_draft(self, request: requests.Draft, progress: Progress) -> answers.Done:
-        """Save what is written, unless it is what was performed."""
+        """Save the written text, unless it has been performed."""
         draft = shared.TakeInputs(request.source, request.choices, request.emotions)
         performed = self.history.present
         self.draft = None if performed is not None and performed.inputs == draft else draft
         return answers.Done()
 
     def forget_prefetch(self) -> None:
-        """Forget what was prepared: a name in it may mean something else now."""
+        """Forget prepared takes: a name in them may mean something else now."""
         self._prefetch = None
 
     def choose(self, request: requests.Choose, progress: Progress) -> takes.TakeView:
@@ -112,7 +112,7 @@ class Session:
         inputs, utterance = self.version().inputs, self.version().utterance
         source = inputs.source
         if utterance is None or source.format == "score":
-            raise InputError("only phones of what is spoken or recorded can be moved")
+            raise InputError("only phones of spoken or recorded lines can be moved")
         edge = edge_of(utterance, request.phone, 0.0)
         shifts = {replace(other, shift=0.0): other.shift for other in source.edges}
         shift = shifts.pop(edge, 0.0)
@@ -159,7 +159,7 @@ class Session:
         return self._changed(after)
 
     def let_go(self, request: requests.LetGo, progress: Progress) -> takes.TakeChange:
-        """Forget what was lost when the text changed."""
+        """Forget the changes that were lost when the text changed."""
         after = replace(self.version(), lost=(), warnings=())
         self.history.push(after, "forget what did not fit")
         return self._changed(after)
@@ -221,14 +221,14 @@ class Session:
         self.view = view
 
     def open_version(self, version: Version, view: PageView) -> None:
-        """Show the version of another project; undo leads through its edits to what was here before."""
+        """Show the version of another project; undo leads through its edits to the earlier state."""
         self._take_up(version, self.history.copy(), OPENED)
         self.view = view
 
     def _take_up(self, version: Version, history: History[Version], what: str) -> None:
         """Go on with a version; on an error, nothing changes."""
         step = replace(version, score=version.base, edits=())
-        # What was here before must not be pushed out by the edits of what is opened.
+        # The edits of the opened version must not push older states out of the history.
         at_once = max(0, len(version.edits) - limits.UNDO // 2)
         for edit in version.edits[:at_once]:
             step = step.changed(edit)

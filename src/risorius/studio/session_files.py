@@ -48,7 +48,7 @@ class SessionFiles:
         return tuple(sorted(p.name for p in folder.iterdir())) if folder.is_dir() else ()
 
     def recording(self, name: str) -> Path:
-        """Return a recording's file; raise InputError with the nearest name if there is none."""
+        """Return a recording's file; raise InputError with the nearest name if it does not exist."""
         if name not in self.recordings():
             raise InputError(unknown("recording", name, self.recordings()))
         return self.folder / "recordings" / name
@@ -85,7 +85,7 @@ class SessionFiles:
         return self._poses
 
     def emotion(self, name: str) -> str:
-        """Return by what the library finds an emotion: its name, or the file of one that was saved."""
+        """Return the key by which the library finds an emotion: its name, or the file of a saved one."""
         if name in self._emotions:
             return str(self.folder / Path(self._emotions[name]).name)
         if name.strip().lower() not in emotion_names():
@@ -136,7 +136,7 @@ def digest(data: bytes) -> str:
 
 
 def kept_table(text: str, kind: str, folder: Path) -> Path:
-    """Write TOML under a name that says what is in it, unless it is there; return its path."""
+    """Write TOML under a name made from its content, unless it is there; return its path."""
     path = folder / f"{kind}-{digest(text.encode())}.toml"
     if not path.exists():
         write_text(path, text)

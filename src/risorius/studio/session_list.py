@@ -16,7 +16,7 @@ from .session_files import write_text
 from .uploads import BEGINNING
 
 NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,39}")
-"""What a session may be called in the address."""
+"""Names that a session may have in the address."""
 ABOUT = "about.json"
 DELETED = ".deleted"
 MOST_LISTED = 200
@@ -50,7 +50,7 @@ def _entries(folder: Path, shown: set[str]) -> Iterator[SessionEntry]:
 
 
 def title(folder: Path) -> str:
-    """Return what a session is called, "" if nothing."""
+    """Return the title of a session, "" if it has none."""
     called = _object(folder / ABOUT).get("title", "")
     return called if isinstance(called, str) else ""
 
@@ -93,7 +93,7 @@ def put_back(folder: Path, name: str) -> None:
 
 
 def _line(files: list[Path]) -> str:
-    """Return the beginning of what is said in a session."""
+    """Return the beginning of a session's text."""
     for file in files:
         data = _object(file)
         made = data.get("made", data.get("draft"))

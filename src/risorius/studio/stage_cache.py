@@ -1,4 +1,4 @@
-"""Results of a stage of the pipeline, kept by what it reads."""
+"""Results of a stage of the pipeline, cached by its inputs."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class StageCache(Generic[T]):
         self._results: OrderedDict[object, T] = OrderedDict()
 
     def get(self, key: object, run: Callable[[], T]) -> T:
-        """Return the result for `key`, all that the stage reads; `run` it if there is none yet."""
+        """Return the result for `key`, all that the stage reads; call `run` if the cache lacks it."""
         if key not in self._results:
             result = run()
             while len(self._results) >= self._most:

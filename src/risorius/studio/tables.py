@@ -1,4 +1,4 @@
-"""What the page fetches at first: every table of the library, and how faces are unpacked."""
+"""The tables that the page fetches at first: all of the library, and how faces are unpacked."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ class EmotionRow:
 
 @dataclass(frozen=True, slots=True)
 class NumberRow:
-    """A number of a profile by its dotted key; null where its range has no end."""
+    """A number of a profile by its dotted key; null if its range has no end."""
 
     key: str
     value: float
@@ -87,7 +87,7 @@ class ProfileRow:
 
 @dataclass(frozen=True, slots=True)
 class AttitudeRow:
-    """What a speaker may want to convey."""
+    """An attitude that a speaker may convey."""
 
     name: str
     description: str
@@ -105,7 +105,7 @@ class VoiceRow:
 
 @dataclass(frozen=True, slots=True)
 class HeadRow:
-    """A head, who it is, how old and with which hair."""
+    """A head: its title, age and hair."""
 
     name: str
     title: str
@@ -153,7 +153,7 @@ class OutputRow:
 
 @dataclass(frozen=True, slots=True)
 class ChoiceRow:
-    """A value that a setting may have: its name, what is said of it, and what is sent for it."""
+    """A value that a setting may have: its name, its description, and the value that is sent for it."""
 
     name: str
     description: str

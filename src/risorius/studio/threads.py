@@ -11,7 +11,7 @@ T = TypeVar("T")
 
 
 async def on_thread(threads: Executor, work: Callable[[], T]) -> T:
-    """Return what `work` returns on a thread; when cancelled, only after the thread has let go of it.
+    """Return the result of `work` on a thread; when cancelled, only after the thread has let go of it.
 
     Else a solver would be lent to the next while the thread still works with it.
     """

@@ -1,4 +1,4 @@
-"""What a page uploads: read within bounds, to disk or to memory, whatever length it claims to have."""
+"""Uploads of a page: read within bounds, to disk or to memory, whatever length they claim to have."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from starlette.requests import ClientDisconnect, Request
 from ..errors import InputError
 
 BEGINNING = "upload-"
-"""Of the name of every file that is taken in or removed as soon as it is whole."""
+"""Prefix of the names of unfinished files, which are taken in or removed as soon as they are whole."""
 _OLD = 86_400.0  # s after which such a file is of a server that was killed
 
 
@@ -43,7 +43,7 @@ async def to_file(request: Request, folder: Path, most: int) -> Path:
 
 
 def sweep(folder: Path) -> None:
-    """Remove from all sessions in `folder` what a server that was killed had begun to take in."""
+    """Remove the unfinished uploads of a killed server from all sessions in `folder`."""
     latest = time.time() - _OLD
     for path in folder.glob(f"*/{BEGINNING}*"):
         # Another server on the same folder may sweep, too.

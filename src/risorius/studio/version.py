@@ -19,7 +19,7 @@ class LostEdit:
     """A change by hand that did not fit the line when it was planned anew.
 
     `text` names it; `edit` makes its movement or curve again, and is None for a movement that was deleted
-    (that it is not there needs no word). `edits` of `origin` did not fit; they are tried on each plan again.
+    (its absence need not be reported). `edits` of `origin` did not fit; they are tried on each plan again.
     """
 
     text: str
@@ -30,10 +30,10 @@ class LostEdit:
 
 @dataclass(frozen=True, slots=True)
 class Version:
-    """What a take is made from.
+    """The state of a take: its inputs, score and edits.
 
     `base`: the score as planned; `score`: with all edits made; `lost`: those that have no place in it.
-    `lanes`: what of it is muted.
+    `lanes`: those that are muted.
     """
 
     inputs: TakeInputs
@@ -55,7 +55,7 @@ class Version:
 
     @property
     def audible(self) -> Score:
-        """The score without what is on muted lanes."""
+        """The score without the movements on muted lanes."""
         silent, score = self.lanes.silent, self.score
         if not silent:
             return score

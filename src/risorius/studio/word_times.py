@@ -1,4 +1,4 @@
-"""Where the times of a line lie in the same line with another text: by its words and phones."""
+"""Map the times of a line to the same line with another text, by its words and phones."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..core.utterance import Phone, Utterance, Word
 
 
 class Fit(IntEnum):
-    """How a time is found again: not at all, at a word said in place of its own, at the same word."""
+    """The way in which a time is found again: not at all, at a word in place of its own, at the same word."""
 
     GONE = 0
     REPLACED = 1
@@ -38,7 +38,7 @@ class Stretched:
 
 
 class WordTimes:
-    """Where the times of one utterance lie in another.
+    """A map from the times of one utterance to those of another.
 
     Words that are the same are followed phone by phone; where as many words stand in place of others, each
     follows one. A pause belongs to the word before it.
@@ -51,7 +51,7 @@ class WordTimes:
         self._starts = [part.start for part in self._parts]
 
     def at(self, time: float) -> tuple[float, Fit]:
-        """Return where a time lies, and how it was found; what is gone lies where it would stand."""
+        """Return a time's new place, and how it was found; times of a lost word lie where it would stand."""
         if not self._parts:
             return time, Fit.SAME
         part = self._parts[max(0, bisect_right(self._starts, time) - 1)]

@@ -1,1 +1,1 @@
-"""What servers share: who may speak to them, and where they listen."""
+"""Parts that servers share: their addresses, and the check of who may speak to them."""

@@ -1,4 +1,4 @@
-"""Who may speak to the server: a page that it sent, on this machine, within bounds."""
+"""Guard the server: only a page that it sent, on this machine and within bounds, may speak to it."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ HEADERS = (
 
 
 class Guard:
-    """Lets through what names this server as its host and comes from its own page; adds headers.
+    """Lets through requests that name this server as their host and come from its own page; adds headers.
 
     A page of another site can make a browser send requests here, but then Origin names that site; by a name
     that resolves to this machine, but then Host is that name. `hosts` None allows every host: for servers

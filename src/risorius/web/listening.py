@@ -1,4 +1,4 @@
-"""Where a server listens, and within which bounds."""
+"""The address at which a server listens, and the bounds of what it accepts."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ HOST = "127.0.0.1"
 def bound(port: int, host: str = HOST) -> socket.socket:
     """Return a socket that listens at `host` and `port` (0: any that is free); raise OutputError.
 
-    Who comes before the server is ready waits.
+    Clients that come before the server is ready wait.
     """
     made = socket.socket(socket.AF_INET6 if ":" in host else socket.AF_INET, socket.SOCK_STREAM)
     made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)

@@ -1,4 +1,4 @@
-"""How much may come in a while."""
+"""A token bucket: it limits how much may come in a time."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ class TokenBucket:
         self._level, self._since = most, now()
 
     def take(self, amount: float = 1.0) -> bool:
-        """Return whether so much may come now; what may not counts for nothing."""
+        """Return whether this amount may come now; a refused amount takes no tokens."""
         now = self._now()
         self._level = min(self._most, self._level + self._rate * (now - self._since))
         self._since = now

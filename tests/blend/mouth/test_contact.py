@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from risorius import blend
 from risorius.blend.mouth.contact import SEAL, TUCK, GoalCurve, contact_goals
 from risorius.blend.mouth.tradeoffs import tradeoffs
-from risorius.core.articulators import PROTRUSION
+from risorius.core.articulators import PROTRUSION, SHORTEST_CLOSURE
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX
 from risorius.core.score import BlendSettings, Score
@@ -50,7 +50,7 @@ class TestGoals:
     def test_a_short_closure_is_lengthened_before_its_release(self) -> None:
         seal, _ = curves(sealed(1.0, 1.01))
         assert AT[seal == 1].max() == pytest.approx(1.01, abs=0.0015)
-        assert (seal == 1).sum() * 0.001 == pytest.approx(tradeoffs().seal.shortest, abs=0.0015)
+        assert (seal == 1).sum() * 0.001 == pytest.approx(SHORTEST_CLOSURE, abs=0.0015)
 
     def test_a_partial_goal(self) -> None:
         assert curves(sealed(1.0, 1.1, 0.4))[0].max() == 0.4

@@ -1,8 +1,7 @@
-"""Edges: the table is strict, the best ones in order are found, and a change of sound draws them."""
+"""Edges: the arrays fit together, the best ones in order are found, and a change of sound draws them."""
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import product
 
 import numpy as np
@@ -10,36 +9,52 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from risorius.core.arrays import AnyArray
 from risorius.errors import InputError
 from risorius.languages import phonesets
 from risorius.speech.alignment.edges import (
+    CLASSES,
     FEATURES,
     REACH,
     SHORTEST_STEPS,
-    EdgeTable,
     best_in_order,
-    compiled,
     edge_model,
+    model_of,
     place_edges,
 )
 from risorius.speech.alignment.spectra import STEP_SECONDS, band_levels
 
-ROW = (0.0,) * FEATURES
-TABLE = EdgeTable({"all": ("S", "AA", "")}, {}, ROW, {"all": ROW}, {"all": ROW})
+SIZE = len(CLASSES), len(FEATURES)
+ARRAYS = {
+    "classes": np.array([str(name) for name in CLASSES]),
+    "features": np.array(FEATURES),
+    "bias": np.zeros((SIZE[0], SIZE[0])),
+    "common": np.ones(SIZE[1]),
+    "left": np.zeros(SIZE),
+    "right": np.zeros(SIZE),
+}
 
 
 @pytest.mark.parametrize(
-    ("table", "message"),
+    ("name", "array", "message"),
     [
-        (replace(TABLE, common=ROW[1:]), f"common has {FEATURES - 1} weights"),
-        (replace(TABLE, left={"all": ()}), "left.all has 0 weights"),
-        (replace(TABLE, right={}), "weights on both sides"),
-        (replace(TABLE, left={"all": ROW, "more": ROW}), "weights on both sides"),
+        ("classes", ARRAYS["classes"][1:], "'classes' are not those of this version"),
+        ("features", ARRAYS["features"][::-1], "'features' are not those of this version"),
+        ("bias", np.zeros((2, 2)), r"'bias' is missing or has another shape; expected \(13, 13\)"),
+        ("common", np.zeros(3), r"'common' is missing or has another shape; expected \(52,\)"),
+        ("left", None, r"'left' is missing or has another shape; expected \(13, 52\)"),
+        ("right", np.zeros((13, 51)), r"'right' is missing or has another shape"),
     ],
 )
-def test_a_table_that_does_not_fit_together_is_refused(table: EdgeTable, message: str) -> None:
+def test_arrays_that_do_not_fit_together_are_refused(name: str, array: AnyArray | None, message: str) -> None:
+    arrays = {**ARRAYS, name: array} if array is not None else {k: v for k, v in ARRAYS.items() if k != name}
     with pytest.raises(InputError, match=message):
-        compiled(table)
+        model_of(arrays)
+
+
+def test_common_weights_count_once() -> None:
+    model = model_of({**ARRAYS})
+    assert (model.left + model.right == 1.0).all()
 
 
 def test_every_phone_has_a_class() -> None:

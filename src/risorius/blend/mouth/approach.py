@@ -1,4 +1,4 @@
-"""How the lips approach closures and leave them: in time, and no faster than lips can.
+"""The approach of the lips to closures, and their opening after them: in time, and no faster than lips can.
 
 The opening before a closure falls early enough, the opening after it rises no faster, and a vowel between two
 closures opens only as far as the time allows. With d the seconds to the closure before or after and V the
@@ -30,7 +30,7 @@ from .contact import SEAL, TUCK, Goal, GoalCurve
 from .tradeoffs import tradeoffs
 
 EARLY = 0.003
-"""Seconds by which lips meet before a closure and part after it: the rounding of what is left open still
+"""Seconds by which lips meet before a closure and part after it: the rounding of the open rest still
 leaves some tenths of a millimetre where they meet."""
 WITHIN = 0.03
 """Seconds in which the seal of a closure comes to shut any gap, however wide; within the closure if that is
@@ -48,13 +48,13 @@ ADDED = 0.5
 
 
 ROUNDED, PARTED, WIDEST = 4.0, 5.0, 100.0
-"""mm over which what is left open and what other channels add are rounded at 0, and a gap wider than all."""
+"""mm over which the open rest and other channels' additions are rounded at 0, and a gap wider than all."""
 TINY = 1e-12
 """No curve turns over less than this."""
 
 
 class Approach:
-    """How far the contact goals of a score let the lips open and take their shape."""
+    """The limits that the contact goals of a score set to the lips' opening and shape."""
 
     def __init__(self, goals: Sequence[Goal]) -> None:
         self._table = tradeoffs()
@@ -71,7 +71,7 @@ class Approach:
     def most(self, times: Array) -> Array:
         """Return the widest gap that closures allow at sorted times, mm, shape (n,).
 
-        It is infinite if there are none, and below 0 during a closure.
+        It is infinite without closures, and below 0 during a closure.
         """
         return self._table.opening.fastest * (self._seals.at(times) - self._seals.inside(times))
 
@@ -142,7 +142,7 @@ class MouthGaps:
 
 
 def _taken(extra: Array, room: Array) -> Array:
-    """Return e − e·r/(e + r), what must be closed of the gap e if there is room for r."""
+    """Return e − e·r/(e + r), the part of the gap e that must be closed if there is room for r."""
     return np.divide(extra * extra, extra + room, out=np.zeros(len(extra)), where=extra > 0.0)
 
 
@@ -165,7 +165,7 @@ class _Distance:
         self._gentle = gentle
 
     def at(self, times: Array) -> Array:
-        """Return the distance at sorted times, shape (n,): 0 during goals, infinite if there are none."""
+        """Return the distance at sorted times, shape (n,): 0 during goals, infinite without goals."""
         number = np.searchsorted(self._start, times, side="right")
         before, ahead = times - self._end[number], self._start[number] - times
         with np.errstate(divide="ignore"):
@@ -197,7 +197,7 @@ def lesser(a: Array, b: Array) -> Array:
 def smooth_maximum(a: Array, b: Array, width: float) -> Array:
     """Return the greater of two curves of 0 or more, rounded off by at most width/4 near their crossings.
 
-    Where one is smaller than `width` it is rounded off by less, and not at all beside a curve at rest.
+    If one is smaller than `width` it is rounded off by less, and not at all beside a curve at rest.
     """
     least = np.minimum(np.minimum(a, b), width)
     near = np.maximum(least - np.abs(a - b), 0.0)

@@ -1,4 +1,4 @@
-"""How neighbouring lip segments blend: the interface of all lip models, and what they share.
+"""Coarticulation, blending of neighbouring lip segments: the interface of all lip models, and shared parts.
 
 A model blends any value of the segments, per parameter: targets, limits on other channels, whether the mouth
 speaks. Each blend is an average by the weights of the segments, which it names on demand. A new model is a
@@ -124,13 +124,13 @@ class Coarticulation(Protocol):
 
 
 AT_ONCE = 2048
-"""Weights are computed for so many times at once: they need far more memory than the averages."""
+"""Times per block of weights, which need far more memory than the averages."""
 
 
 def weighted_averages(
     model: Coarticulation, group: int, values: Sequence[SegmentValues], times: Array
 ) -> list[Array]:
-    """Return what `Coarticulation.averages` returns, by a model's weights."""
+    """Return the averages for `Coarticulation.averages`, by a model's weights."""
     averages = [np.empty(len(times)) for _ in values]
     for first in range(0, len(times), AT_ONCE):
         part = slice(first, first + AT_ONCE)

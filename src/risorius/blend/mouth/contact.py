@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...core.arrays import Array
-from ...core.articulators import PROTRUSION
+from ...core.articulators import PROTRUSION, SHORTEST_CLOSURE
 from ...core.movement import LipSegment
 from ..intervals import ranges
 from ..knots import ramp
@@ -65,10 +65,10 @@ def _closures(segments: Sequence[LipSegment], contact: str) -> list[Goal]:
     for number, segment in enumerate(segments):
         value = segment.targets.get(contact, 0.0)
         if value > 0.0:
-            missing = max(0.0, table.seal.shortest - (segment.end - segment.start))
+            missing = max(0.0, SHORTEST_CLOSURE - (segment.end - segment.start))
             # A release is heard when it is, so a closure that is too short begins earlier.
             start = segment.start - (missing if contact == SEAL else missing / 2.0)
-            end = max(segment.end, start + table.seal.shortest)
+            end = max(segment.end, start + SHORTEST_CLOSURE)
             goals.append(Goal(contact, number, start, end, value, ramp, ramp))
     return sorted(goals, key=_middle)
 

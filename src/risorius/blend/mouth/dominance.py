@@ -129,7 +129,7 @@ def _columns(spans: Array, dominances: Array) -> _Columns:
     magnitude, before, after, exponent, plateau = dominances.T
     before, after = np.maximum(before, SHORTEST), np.maximum(after, SHORTEST)
     flat = half * plateau
-    # Whoever covers a time, or is next to a gap, is at least so dominant there.
+    # The least dominance of a segment that covers a time or is next to a gap.
     least = _logarithm(magnitude) - ((half - flat + SHORTEST_SILENCE) / np.minimum(before, after)) ** exponent
     lowest = least[magnitude > 0.0].min(initial=0.0)
     fall = np.maximum(_logarithm(magnitude) - lowest + NEGLIGIBLE, 0.0) ** (1.0 / exponent)

@@ -49,7 +49,7 @@ ELEMENT = 0.015
 NEAREST = 1e-4
 """Seconds: two nodes that are nearer become one."""
 REST = 1e-9
-"""The precision of rest at all times: where no segment holds an articulator, it rests."""
+"""The precision of rest at all times: if no segment holds an articulator, it rests."""
 REACH = 1.0
 """Seconds after which a segment has no effect: 38 time constants of a vowel's turn."""
 PAUSE, HELD, RESTED = 0.16, 0.5, 0.12

@@ -97,7 +97,7 @@ class LipCurve:
         return index, values[index]
 
     def lines(self, times: Array) -> tuple[IndexArray, Array]:
-        """Return what `sample` returns, approximated by straight lines over 5 ms."""
+        """Return the values of `sample`, approximated by straight lines over 5 ms."""
         values = self._lips.mouth.own_at(self._parameter, times)
         index = np.flatnonzero(values)
         return index, values[index]

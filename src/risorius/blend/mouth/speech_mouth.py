@@ -218,7 +218,7 @@ class KnotBlock:
     """The knots of one block of time, shape (n,), and curves on them, computed when first needed.
 
     `shares`: the share of its request that each channel gets of each parameter (`limits`). `around`: the
-    so many seconds around each knot.
+    knots within a given number of seconds around each knot.
     """
 
     def __init__(self, mouth: SpeechMouth, knots: Array) -> None:

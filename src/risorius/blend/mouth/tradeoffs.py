@@ -1,4 +1,4 @@
-"""What the lips give up if neighbouring phones leave no time for everything (`data/tradeoffs.toml`)."""
+"""The lips' trade-offs if neighbouring phones leave no time for everything (`data/tradeoffs.toml`)."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ DEMANDS = ("opening", "rounding", "tuck", "seal")
 
 @dataclass(frozen=True, slots=True)
 class OpeningTradeoff:
-    """How far the lips open between closures.
+    """Trade-off of the lips' opening between closures.
 
     `fastest`: their speed, mm/s; `gentle`: how long they take to reach it, seconds; `rounded`: the width over
     which an opening near the limit is rounded off, mm.
@@ -32,7 +32,7 @@ class OpeningTradeoff:
 
 @dataclass(frozen=True, slots=True)
 class RoundingTradeoff:
-    """How much of a neighbour's width and protrusion remains while the lower lip touches the teeth.
+    """The share of a neighbour's width and protrusion that remains while the lower lip touches the teeth.
 
     `remaining`: a share, 0..1.
     """
@@ -43,7 +43,7 @@ class RoundingTradeoff:
 
 @dataclass(frozen=True, slots=True)
 class TuckTradeoff:
-    """How the contact of the lower lip with the teeth makes room for closures and rounded phones.
+    """The room that the contact of the lower lip with the teeth leaves to closures and rounded phones.
 
     `gap`: the lips' gap during the contact, mm; `ramp`: how long the lip takes to reach or leave the teeth,
     seconds; `waits`: the share of the contact that a rounded phone may take on each side.
@@ -57,16 +57,15 @@ class TuckTradeoff:
 
 @dataclass(frozen=True, slots=True)
 class SealTradeoff:
-    """How long a closure of the lips takes: its `ramp` and its `shortest` duration, seconds."""
+    """Seconds in which lips come to a closure that no articulators bring about, and seconds to leave it."""
 
     source: str
     ramp: ContactSeconds
-    shortest: ContactSeconds
 
 
 @dataclass(frozen=True, slots=True)
 class Tradeoffs:
-    """Which demand gives way first, which next, and by how much each may."""
+    """The order in which demands give way, and by how much each may."""
 
     order: tuple[str, ...]
     opening: OpeningTradeoff

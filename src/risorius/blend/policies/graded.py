@@ -21,11 +21,11 @@ from ..knots import LEAST_REQUESTED, STEEPEST, Knots, eased, paced, smoothstep
 from .strength import Strengths
 
 WIDTH = 0.4
-"""From a rival's threshold to the activity at which it takes everything."""
+"""The distance from a rival's threshold to the activity at which it takes everything."""
 STEP = 0.005
-"""Seconds between knots at most."""
+"""Largest distance of knots, seconds."""
 CELL = 10.0
-"""Shares are computed for so many seconds at least. Results do not depend on it."""
+"""Shares are computed for at least this number of seconds. Results do not depend on it."""
 
 
 @POLICIES.register("graded")

@@ -1,4 +1,4 @@
-"""How English speakers may say a whole number: as a quantity, with or without "and", as a year, by digits."""
+"""English readings of a whole number: as a quantity, with or without "and", as a year, by digits."""
 
 from __future__ import annotations
 

@@ -9,12 +9,12 @@ from types import MappingProxyType
 
 @dataclass(frozen=True, slots=True)
 class Codec:
-    """How pictures and sound are encoded, in the names of FFmpeg.
+    """The encoding of pictures and sound, in the names of FFmpeg.
 
     `container`; `video` with its `options`, of which those in `draft_options` are others for drafts; `pixels`
-    of opaque pictures and `alpha_pixels` of those with an alpha channel, None where it cannot be kept;
-    `sound`, and the rates it knows (any, where there are none): other sounds are resampled to the next one
-    that loses nothing.
+    of opaque pictures and `alpha_pixels` of those with an alpha channel, None if it cannot be kept;
+    `sound`, and the rates it knows (if empty, any): other sounds are resampled to the next one that loses
+    nothing.
     """
 
     container: str

@@ -23,7 +23,7 @@ _CELLS, _LOW = f4(3.2), f4(0.6)  # cells of the grain per mm; stitches are highe
 STITCHES = (_CELLS, _LOW * _CELLS, _CELLS)
 """Cells of the grain per mm along x, y and z."""
 THREAD = f4(0.09)
-"""By which share they change the albedo."""
+"""The share by which they change the albedo."""
 UP = (f4(0), f4(1), f4(0))
 
 

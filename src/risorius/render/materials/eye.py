@@ -50,7 +50,7 @@ WET = f4(0.03)
 KEY_WINDOW, FILL_WINDOW = f4(0.23), f4(0.26)
 """Half the width (tangent) of the softboxes that are mirrored, of the first lamp and of the second."""
 KEY_BRIGHT, FILL_BRIGHT = f4(1.9), f4(0.25)
-"""How bright these are, of the lamps' light."""
+"""Their brightness, as a share of the lamps' light."""
 
 
 @fast_device
@@ -265,7 +265,7 @@ def _wet(
     above: float,
     inner: float,
 ) -> Vec:
-    """Return what the tear film mirrors: lamps, ambient light, the lower lid's rim and the caruncle."""
+    """Return the reflection in the tear film: lamps, ambient light, the lower lid's rim and the caruncle."""
     free = mirror_share(below, shade)
     total = scale(ambient_light(ambient, facing, f4(1)), schlick(dot(facing, view), WET) * free)
     back = along(scale(view, f4(-1)), facing, f4(2) * dot(facing, view))

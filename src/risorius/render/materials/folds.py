@@ -61,7 +61,7 @@ def darkened(shadow: float, height: float) -> float:
 
 @fast_device
 def bent(normal: Vec, slope: Vec, share: float) -> Vec:
-    """Return a unit normal turned by a share of a slope; the slope is limited to what light can show."""
+    """Return a unit normal turned by a share of a slope; the slope is limited to those that light shows."""
     steep = math.sqrt(dot(slope, slope))
     return unit(along(normal, slope, -share / max(f4(1), steep / _STEEPEST)))
 

@@ -74,7 +74,7 @@ def between_fibres(free: float) -> float:
 def lamp_on_fibre(
     albedo: Vec, colour: Vec, lamp: Vec, direction: Vec, across: Vec, view: Vec, share: float, strength: float
 ) -> Vec:
-    """Return what a fibre that runs along `direction` gives back of the share of a lamp."""
+    """Return the light that a fibre along `direction` reflects of the share of a lamp."""
     cosine = dot(direction, lamp)
     sine = math.sqrt(saturate(f4(1) - cosine * cosine))
     facing = saturate(dot(across, lamp) * f4(0.6) + f4(0.4))

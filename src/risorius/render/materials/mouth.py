@@ -225,7 +225,7 @@ def spread_in_teeth(deep: float) -> float:
 
 @fast_device
 def reddened(deep: float) -> Vec:
-    """Return what a tooth's albedo becomes: the redder the more of the light has met flesh before.
+    """Return a tooth's effective albedo: the redder, the more of the light has met flesh before.
 
     Where no light comes past the lips a tooth is as dark as flesh: all its light has met flesh often.
     """
@@ -242,5 +242,5 @@ def tooth_share(cosine: float) -> float:
 
 @fast_device
 def towards_lips(cosine: float) -> float:
-    """Return what flesh gets of the light past the lips: from there, and again from the flesh around it."""
+    """Return the light past the lips that reaches flesh: directly, and again from the flesh around it."""
     return cosine * f4(0.7) + f4(0.7)

@@ -1,4 +1,4 @@
-"""What diagrams draw on the skin: muscles along their lines of pull, and the edges of the mesh."""
+"""Drawings of diagrams on the skin: muscles along their lines of pull, and the edges of the mesh."""
 
 from __future__ import annotations
 

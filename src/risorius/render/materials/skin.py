@@ -50,13 +50,13 @@ from .skin_lamps import PORES_SOFT, edge_light, lamp_light
 FLESH = f4(0.85)
 """Share of a fold's slope that affects light scattered below the surface."""
 FOLD_SHADES, FOLD_DULLS = f4(0.7), f4(0.6)
-"""By what share the bottom of a fold lessens the ambient light and the strength of the gloss."""
+"""The shares by which the bottom of a fold lessens the ambient light and the strength of the gloss."""
 INNER_MOUTH = f4(0.02)
 """Share of mouth interior up to which skin is lit as skin outside."""
 PORES = f4(6.5 / 0.62)
 """Cells of the grain per mm: pores are 0.62 mm apart."""
 PORES_DARKEN, PORES_DULL = f4(0.025), f4(0.2)
-"""By what share pores change the albedo, and the strength of the gloss."""
+"""The shares by which pores change the albedo and the strength of the gloss."""
 
 
 @fast_device
@@ -178,7 +178,7 @@ def _fold(count: int, batch: Batch, mesh: PosedMesh, pose: Pose, tables: Tables,
 
 @fast_device
 def fold_colour(deep: float) -> Vec:
-    """Return what a fold leaves of the albedo: it is darker and redder."""
+    """Return the factor of a fold on the albedo: darker and redder."""
     return f4(1) - f4(0.22) * deep, f4(1) - f4(0.36) * deep, f4(1) - f4(0.38) * deep
 
 

@@ -40,7 +40,7 @@ SHARP, BROAD = f4(0.7), f4(2.2)
 PORES_SOFT = f4(0.5)
 """Share of the pores' slope that affects light scattered below the surface."""
 FRONT, GRAZED = 2, f4(0.4)
-"""Lamps in front; what skin mirrors of the others, behind the head, which would outshine all."""
+"""The number of lamps in front; the share of the others, behind the head, that skin mirrors."""
 
 
 @fast_device

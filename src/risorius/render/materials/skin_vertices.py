@@ -50,7 +50,7 @@ def light_vertices(
     tables: Tables,
     linear: LinearTriangles,
 ) -> None:
-    """Write the display light at the first n vertices of `batch.column`, and what pores change of it."""
+    """Write the display light at the first n vertices of `batch.column`, and its change by pores."""
     depth = pore_depth(screen.detail)
     for first in range(0, n, LANES):
         count = min(n - first, i8(LANES))
@@ -105,7 +105,7 @@ def _write(
     tables: Tables,
     linear: LinearTriangles,
 ) -> None:
-    """Write what was computed of vertex v."""
+    """Write the results of vertex v."""
     total, shine = get(block, TOTAL, lane), get(block, SHINE, lane)
     answer = expose(v, add(total, shine), tables.film, linear)
     normal, change = get(block, NORMAL, lane), get(block, WAY, lane)

@@ -40,7 +40,7 @@ _LEAST = 0.005
 def align(
     audio: Audio, transcript: str, language: str | None = None, progress: Progress = quiet
 ) -> Utterance:
-    """Return what is said when in a recording of a `transcript`, in `language`, by default English.
+    """Return the timed utterance of a recording of `transcript`, in `language`, by default English.
 
     The model is English: the phones of another language are found by the nearest of its phones. Raises
     InputError for a transcript without words, and for one that does not fit the recording, SpeechError for an
@@ -52,7 +52,7 @@ def align(
 
 
 class Located(NamedTuple):
-    """What is said when: phones and silences, contiguous; the words they are of, and these' language."""
+    """An alignment: phones and silences, contiguous; the words that they belong to, and their language."""
 
     phones: Sequence[AlignedPhone]
     words: Sequence[ScriptWord]
@@ -79,7 +79,7 @@ def located(
 
 
 def owned(aligned: Sequence[AlignedPhone], words: Sequence[ScriptWord]) -> list[AlignedPhone]:
-    """Return aligned phones as those of the words' own language, where that is not the model's."""
+    """Return aligned phones as those of the words' own language, if that is not the model's."""
     phones = iter(aligned)
     found: list[AlignedPhone] = []
     for phone in phones:

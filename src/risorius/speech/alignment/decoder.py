@@ -55,7 +55,7 @@ class AlignedPhone(NamedTuple):
 
 
 class HeardSegment(NamedTuple):
-    """What is heard in [start, end) seconds: a word or a phone by `name`, or noise that is not `spoken`."""
+    """A segment heard in [start, end) seconds: a word or a phone by `name`, or noise that is not `spoken`."""
 
     name: str
     start: float
@@ -66,7 +66,7 @@ class HeardSegment(NamedTuple):
 class Decoders:
     """The decoders of one recording, in processes of their own. Use as a context manager, which ends them.
 
-    What a decoder has heard before changes what it finds: no two recordings share one. `follow_words` may be
+    Earlier sound changes the results of a decoder: no two recordings share one. `follow_words` may be
     called in another thread than the others. Every method raises WorkerError if its process fails or does not
     answer in time.
     """
@@ -87,14 +87,14 @@ class Decoders:
     def align_words(self, sound: Array, words: Sequence[Readings]) -> list[AlignedPhone]:
         """Return the phones and silences of `sound` (16 kHz), in which all `words` are said in order.
 
-        They follow one another without gaps. Raises AlignmentError if there is no room for so many words.
+        They follow one another without gaps. Raises AlignmentError if the sound is too short for the words.
         """
         return _aligned(self._aligner, sound, words)
 
     def align_in_turn(
         self, sound: Array, words: Sequence[Readings], *, last: bool
     ) -> Future[list[AlignedPhone]]:
-        """Begin to align the next of several sounds, which finds what `align_words` does, and return at once.
+        """Begin to align the next of several sounds, as `align_words` does, and return at once.
 
         Two are aligned at the same time. `last`: no other will follow.
         """
@@ -112,7 +112,7 @@ class Decoders:
         ]
 
     def name_phones(self, sound: Array) -> list[HeardSegment]:
-        """Return the phones, and what is none, that a loop over all phones hears in `sound`."""
+        """Decode `sound` with a free phone loop; return the phones and non-speech segments."""
         return _segments(self._aligner.ask("name_phones", sound))
 
 
@@ -124,7 +124,7 @@ class _Process:
         self._failed = False
 
     def ask(self, op: str, sound: Array, words: Sequence[Readings] = ()) -> dict[str, Any]:
-        """Return the answer to a request; raise WorkerError if there is none, now or before."""
+        """Return the answer to a request; raise WorkerError if the worker fails, now or before."""
         if self._failed:
             raise WorkerError("has ended")
         if self._worker is None:
@@ -186,7 +186,7 @@ def _aligned(process: _Process, sound: Array, words: Sequence[Readings]) -> list
 
 
 def with_decoders(work: Callable[[Decoders], T]) -> T:
-    """Return what `work` makes of the decoders of one recording; if they die or fall silent, with new ones.
+    """Return the result of `work` with one recording's decoders; if they die or fall silent, with new ones.
 
     Raises SpeechError if these do, too.
     """
@@ -211,8 +211,8 @@ def _package() -> Path:
     spec = importlib.util.find_spec("pocketsphinx")
     if spec is None or spec.origin is None:
         raise SpeechError(
-            "the package 'pocketsphinx' is not installed, which finds words in recordings; expected it, or a "
-            "TextGrid with the words and phones (risorius speak x.TextGrid --audio x.wav)"
+            "recordings need the package 'pocketsphinx', which is not installed (pip install pocketsphinx), "
+            "or a TextGrid with words and phones (risorius speak x.TextGrid --audio x.wav)"
         )
     return Path(spec.origin).parent.parent
 

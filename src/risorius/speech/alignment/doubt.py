@@ -14,8 +14,9 @@ from .lexicon import ScriptWord
 
 
 class DoubtLimits(NamedTuple):
-    """Mean log likelihoods per 10 ms frame, in pocketsphinx's units, below which a word is in `doubt`, and
-    below which it is `poor`: if so much of the speech is poor, or in no word, the transcript is another's.
+    """Mean log likelihoods per 10 ms frame, in pocketsphinx's units: below `doubt` a word is doubtful, below
+    `poor` it is poor. If more than WRONG_SHARE of the speech is poor or unmatched, the transcript is
+    rejected as belonging to another recording.
     """
 
     doubt: float
@@ -31,7 +32,7 @@ OWN = DoubtLimits(-50.0, -38.0)
 # transcript the median was -56 to -92. Human voices are not measured.
 FOREIGN = DoubtLimits(-110.0, -52.0)
 WRONG_SHARE = 0.6
-# Of another's transcript at least 45 words in 100 were in doubt, of the right one at most 17 (a third of
+# In a wrong transcript at least 45 words in 100 were in doubt, in the right one at most 17 (a third of
 # TIMIT's development sentences). A synthetic voice may be poor in most words, and in doubt in one.
 DOUBTFUL_SHARE = 0.25
 # Silence so unlikely, and so long (seconds), is speech that the transcript lacks.
@@ -41,7 +42,7 @@ _SHOWN = 8
 
 @dataclass(frozen=True, slots=True)
 class AlignmentDoubt:
-    """How badly a transcript fits its recording: that of the `worst` word or silence, 0 and more (its mean
+    """The misfit of a transcript to its recording: that of the `worst` word or silence, 0 and more (its mean
     log likelihood per 10 ms, negated, as of English; 50 and more is in doubt), and the `words` in doubt with
     their times.
     """

@@ -6,8 +6,8 @@ is first corrected by the median error of its pair of classes, then moved to the
 the levels before and after, their sum from the corrected edge on, and the distance moved; the weights are
 those of the class to the left and of that to the right, with a share common to all (a conditional logit,
 McFadden 1974; boundaries refined by classifiers per pair of classes: Lee 2006; Lo and Wang 2007). All edges
-of a stretch are chosen together so that no phone vanishes. The numbers, and how they were learned, stand in
-`data/edges.toml`.
+of a stretch are chosen together so that no phone vanishes. The numbers stand in `data/edges.npz`, and how
+they were learned in `data/PROVENANCE.md`.
 """
 
 from __future__ import annotations
@@ -15,38 +15,42 @@ from __future__ import annotations
 import functools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from importlib import resources
+from pathlib import Path
 
 import numpy as np
 
-from ...core.arrays import Array, Int64Array
+from ...core.arrays import AnyArray, Array, Int64Array
 from ...core.frozen import FrozenDict
-from ...core.toml import parse
+from ...core.npz import read_arrays
 from ...errors import InputError
+from ...languages.phones import SoundClass, inventory
 from .spectra import BANDS, STEP_SECONDS
 
 # Candidates to either side of a corrected edge, in steps of 2.5 ms.
 REACH = 16
 # Steps: what is compared directly before and after an edge, and beyond.
 _NEAR, _FAR = 4, 11
-FEATURES = 4 * BANDS + 4
+_BY_BAND = ("step", "before", "after", "sum")
+FEATURES = (
+    *(f"{name}_{band}" for name in _BY_BAND for band in range(1, BANDS + 1)),
+    "change_near",
+    "change_far",
+    "distance",
+    "distance_squared",
+)
+"""The features of candidates: levels by band, how much they change, and the distance moved."""
+CLASSES = tuple(SoundClass)
 SHORTEST_STEPS = 4
-
-
-@dataclass(frozen=True, slots=True)
-class EdgeTable:
-    """The file: `classes` of phones; `bias` in seconds by "LEFT RIGHT"; FEATURES weights per class."""
-
-    classes: Mapping[str, tuple[str, ...]]
-    bias: Mapping[str, float]
-    common: tuple[float, ...]
-    left: Mapping[str, tuple[float, ...]]
-    right: Mapping[str, tuple[float, ...]]
+FILE = "edges.npz"
 
 
 @dataclass(frozen=True, slots=True)
 class EdgeModel:
-    """The table as arrays: classes are numbered; `bias` (classes, classes), weights (classes, FEATURES)."""
+    """The learned weights, by classes of phones; `numbers` has the place of each phone's class in CLASSES.
+
+    `bias` (classes, classes) in seconds; the weights `left` and `right` (classes, features) of the class to
+    the left and of that to the right.
+    """
 
     numbers: Mapping[str, int]
     bias: Array
@@ -64,7 +68,7 @@ class EdgeModel:
         return np.asarray(np.maximum.accumulate(moved))
 
     def scores(self, symbols: Sequence[str], features: Array) -> Array:
-        """Return the scores (n - 1, candidates) of `features` (n - 1, candidates, FEATURES)."""
+        """Return the scores (n - 1, candidates) of `features` (n - 1, candidates, features)."""
         classes = self.classes(symbols)
         weights = self.left[classes[:-1]] + self.right[classes[1:]]
         return np.asarray(np.einsum("ecf,ef->ec", features, weights))
@@ -84,7 +88,7 @@ def place_edges(levels: Array, symbols: Sequence[str], edges: Array) -> Array:
 
 
 def candidate_features(levels: Array, steps: Int64Array) -> Array:
-    """Return what distinguishes the candidates within REACH of each step: (n, 2 REACH + 1, FEATURES)."""
+    """Return the features of the candidates within REACH of each step: (n, 2 REACH + 1, features)."""
     count = len(levels)
     sums = np.concatenate((np.zeros((1, BANDS)), np.cumsum(levels, axis=0)))
     at = steps[:, None] + np.arange(-REACH, REACH + 1)
@@ -105,7 +109,7 @@ def candidate_features(levels: Array, steps: Int64Array) -> Array:
 def best_in_order(steps: Int64Array, scores: Array) -> Int64Array:
     """Return the steps with the greatest sum of scores in which every edge is SHORTEST_STEPS after the last.
 
-    Candidates lie within REACH of `steps` (n,), their scores are (n, 2 REACH + 1). Where even that leaves no
+    Candidates lie within REACH of `steps` (n,), their scores are (n, 2 REACH + 1). If even that leaves no
     room, edges follow one another at that distance.
     """
     offsets = np.arange(-REACH, REACH + 1)
@@ -136,31 +140,26 @@ def _running_argmax(values: Array) -> Int64Array:
 
 @functools.cache
 def edge_model() -> EdgeModel:
-    """Return the package's table; raise InputError if it does not fit together."""
-    text = resources.files(__package__).joinpath("data/edges.toml").read_text("utf-8")
-    return compiled(parse(EdgeTable, text, "edges.toml"))
+    """Return the package's model; raise InputError if its arrays do not fit together."""
+    return model_of(read_arrays(Path(__file__).parent / "data" / FILE))
 
 
-def compiled(table: EdgeTable) -> EdgeModel:
-    """Return a table as arrays; raise InputError for a class without weights or a wrong number of them."""
-    order = {name: number for number, name in enumerate(table.classes)}
-    rows = {"common": table.common, **_prefixed("left", table.left), **_prefixed("right", table.right)}
-    for name, row in rows.items():
-        if len(row) != FEATURES:
-            raise InputError(f"edges.toml: {name} has {len(row)} weights; expected {FEATURES}")
-    if set(table.left) != set(order) or set(table.right) != set(order):
-        raise InputError("edges.toml: expected weights on both sides for every class of phones")
-    bias = np.zeros((len(order), len(order)))
-    for pair, seconds in table.bias.items():
-        before, after = pair.split()
-        bias[order[before], order[after]] = seconds
-    left = np.array([table.left[name] for name in order]) + np.array(table.common)
-    right = np.array([table.right[name] for name in order])
-    numbers = {phone: order[name] for name, phones in table.classes.items() for phone in phones}
+def model_of(arrays: Mapping[str, AnyArray]) -> EdgeModel:
+    """Return the model of an archive's arrays; raise InputError if one is missing or does not fit.
+
+    `classes` and `features` name rows and columns; `bias` (classes, classes) is in seconds; `common`
+    (features,) is added to the weights `left` (classes, features), and not to `right` (classes, features).
+    """
+    for name, expected in (("classes", CLASSES), ("features", FEATURES)):
+        if tuple(arrays.get(name, ())) != tuple(expected):
+            raise InputError(f"{FILE}: '{name}' are not those of this version; run tools/fit_edges.py")
+    count, width = len(CLASSES), len(FEATURES)
+    shapes = {"bias": (count, count), "common": (width,), "left": (count, width), "right": (count, width)}
+    for name, shape in shapes.items():
+        if name not in arrays or arrays[name].shape != shape:
+            raise InputError(f"{FILE}: '{name}' is missing or has another shape; expected {shape}")
+    bias, left, right = arrays["bias"], arrays["left"] + arrays["common"], arrays["right"]
+    numbers = {phone: CLASSES.index(sound) for phone, sound in inventory().sound_classes().items()}
     for array in (bias, left, right):
         array.setflags(write=False)
     return EdgeModel(FrozenDict(numbers), bias, left, right)
-
-
-def _prefixed(side: str, rows: Mapping[str, tuple[float, ...]]) -> dict[str, tuple[float, ...]]:
-    return {f"{side}.{name}": row for name, row in rows.items()}

@@ -1,4 +1,4 @@
-"""Readings of a transcript's words: the dictionary's, and espeak-ng's for what it lacks.
+"""Readings of a transcript's words: the dictionary's, and espeak-ng's for the words that it lacks.
 
 The whole transcript is spoken by espeak-ng first. That reads numbers and abbreviations out, tells every word
 its stress in context, and gives a reading to words out of the dictionary. The words of the dictionary
@@ -86,7 +86,7 @@ def _script_word(spoken: Utterance, word: Word) -> ScriptWord:
 
 
 def written_readings(text: str) -> Readings:
-    """Return the readings of a written word by dictionary and rules; none where these do not know it."""
+    """Return the readings of a written word by dictionary and rules; none if these do not know it."""
     plain = text.translate(_CURLY)
     if numbers := language_of(MODEL_LANGUAGE).number_readings(plain):
         return _first(reading for words in numbers for reading in _read_all(words.split()))

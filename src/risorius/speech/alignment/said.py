@@ -1,4 +1,4 @@
-"""How much of a text has been said in a piece of its recording that ends in a pause."""
+"""Find how much of a text has been said in a piece of its recording that ends in a pause."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from ..recordings.resampled import Resampled
 from .decoder import with_decoders
 from .lexicon import read_transcript
 
-# What may stand before a pause.
+# Marks that may stand before a pause.
 _MARKS = ".!?,;:\u2026\u2013\u2014\u3002\uff0c\uff01\uff1f\u3001"
 # Words of the text that are sought: nobody says more in a second.
 _FASTEST = 5.5
@@ -16,7 +16,7 @@ _FASTEST = 5.5
 def said_in(audio: Audio, text: str, language: str | None = None) -> int:
     """Return how many characters of `text`, from its beginning, are said in `audio`, whole words.
 
-    The sound ends in a pause: where the words before and after the one that seems to be the last have a mark
+    The sound ends in a pause: if the words before and after the one that seems to be the last have a mark
     behind them and it has none, it is that one. Raises InputError for a text that cannot be spoken,
     SpeechError if the aligner fails.
     """

@@ -1,4 +1,4 @@
-"""Which of the silences that the decoder puts between words are silences."""
+"""Keep the true silences among those that the decoder puts between words."""
 
 from __future__ import annotations
 

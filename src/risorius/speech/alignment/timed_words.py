@@ -21,7 +21,7 @@ from .lexicon import ScriptWord, read_transcript
 
 # Seconds by which a word may begin before the one before it ends, and end after the sound: times are rounded.
 OVERLAP, BEYOND = 0.05, 0.1
-# A shorter gap between two words is no silence: the first one fills it.
+# A shorter gap between two words is not a silence: the first word fills it.
 SHORTEST_PAUSE = 0.05
 _LEAST = 0.01
 
@@ -103,7 +103,7 @@ def _spans(words: Sequence[TimedWord], script: Sequence[ScriptWord], duration: f
 
 
 def _found(audio: Audio, script: Sequence[ScriptWord]) -> list[list[AlignedPhone]]:
-    """Return each word's phones where the aligner finds them; the first reading where it finds nothing."""
+    """Return each word's phones where the aligner finds them; the first reading if it finds nothing."""
     resampled = Resampled(audio)
     try:
         stretches = decoded(resampled, [word.readings for word in script])
@@ -122,7 +122,7 @@ def _evenly(word: ScriptWord, number: int) -> list[AlignedPhone]:
 
 
 def _fitted(phones: Sequence[AlignedPhone], start: float, end: float) -> list[AlignedPhone]:
-    """Return phones that fill [start, end), longer where they were found longer.
+    """Return phones that fill [start, end), longer if they were found longer.
 
     What was found elsewhere, by more than half of its length, tells nothing of their lengths.
     """

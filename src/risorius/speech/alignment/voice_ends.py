@@ -1,4 +1,4 @@
-"""Where the voice ends before a silence, and the edge inside a sound that two words share.
+"""Find the end of the voice before a silence, and the edge inside a sound that two words share.
 
 Before a silence the decoder lets a vowel, nasal or liquid last as long as anything of it is heard: soft
 breath and the echo of the room, up to 120 ms beyond the voice. There it ends where the voice does, as a
@@ -55,7 +55,7 @@ def voice_ends(levels: Array, phones: Sequence[AlignedPhone], edges: Array) -> A
 def shared_sounds(phones: Sequence[AlignedPhone], edges: Array) -> Array:
     """Return the `edges` (n - 1,) with those between two words that meet in one lasting sound at its middle.
 
-    In "Gus saw" one /s/ is heard: no edge in it can be. Where the second word goes on with a consonant, as in
+    In "Gus saw" one /s/ is heard: no edge in it can be. If the second word goes on with a consonant, as in
     "this skirt", the sound is the first word's, as in labels by hand.
     """
     placed = edges.copy()

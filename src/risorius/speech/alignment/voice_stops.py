@@ -1,4 +1,4 @@
-"""Where the voice stops between two sounds: a glottal stop, or the closure between a hiss and a voiced sound.
+"""Find stops of the voice between two sounds: glottal, or the closure between a hiss and a voiced sound.
 
 It is found as a fall of the power where the voice is strong, and after a hiss also of the hiss.
 """
@@ -36,7 +36,7 @@ def voice_stops(levels: Array, before: str, edges: Int64Array) -> tuple[int, int
     if before in HISSES:
         hiss = levels[first:edge, _HISS:].mean(axis=1)
         weak &= hiss[earliest - first :] < np.median(hiss[: (len(hiss) + 1) // 2]) - _HISS_FALL
-    # What is weak from the first step on is no fall.
+    # A stretch that is weak from the first step on is not a fall.
     falls = [fall for fall in _stretches(weak) if fall[0] > 0]
     return (earliest + falls[-1][0], earliest + falls[-1][1]) if falls else None
 

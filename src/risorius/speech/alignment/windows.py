@@ -13,7 +13,7 @@ from typing import NamedTuple
 from ..recordings.resampled import Resampled
 from .decoder import Decoders, Readings
 
-# Seconds. What is no longer than the first is one window.
+# Seconds. Sound of at most the first length is one window.
 WHOLE, HEARD, EARLIEST, LATEST = 36.0, 30.0, 10.0, 25.0
 # Words per second that nobody exceeds for so long.
 FASTEST = 5.5

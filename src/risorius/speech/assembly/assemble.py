@@ -18,7 +18,7 @@ from .words import Transcriber, assign
 
 
 class SpokenPart(NamedTuple):
-    """A stretch of the text, what was given to the engine for it, and how that sounded."""
+    """A stretch of the text, its text for the engine, and the engine's rendition of it."""
 
     stretch: TextStretch
     spoken: NormalisedText

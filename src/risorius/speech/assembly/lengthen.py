@@ -1,4 +1,4 @@
-"""Longer and shorter pauses in what an engine has spoken."""
+"""Longer and shorter pauses in an engine's rendition."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from ...core.utterance import SILENCE
 from ..engines.protocol import Rendition, SpokenPhone
 
-# Of a shortened pause so much is left at least (seconds).
+# Shortest pause that shortening leaves, in seconds.
 SHORTEST = 0.06
 
 

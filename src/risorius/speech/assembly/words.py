@@ -1,4 +1,4 @@
-"""Which word each phone belongs to.
+"""Assign each phone to its word.
 
 The engine says where in the text a phone's word begins, but its words are not a reader's: "of the" is one, a
 number is many. So phones go to the token at their place, and tokens that share a place divide the phones as
@@ -18,7 +18,7 @@ from ..text.tokens import Token
 # Transcribes words: the phones of each.
 Transcriber = Callable[[Sequence[str]], Sequence[Sequence[str]]]
 
-# What it costs to take one phone for another: of the same kind, both consonants, vowel for consonant.
+# Costs of taking one phone for another: of the same kind, both consonants, vowel for consonant.
 _KIN, _SIMILAR, _DIFFERENT = 0.4, 0.6, 1.6
 _MISSING = 1.0
 

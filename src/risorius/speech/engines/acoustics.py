@@ -1,4 +1,4 @@
-"""What the sound itself tells about where espeak-ng's phones begin.
+"""Find in the sound itself the times at which espeak-ng's phones begin.
 
 A stop is stamped at its burst: its closure is the silence before. A vowel after a nasal is stamped some 25 ms
 after the mouth has opened: the opening is where the sound suddenly grows louder. Both measured on the en-us

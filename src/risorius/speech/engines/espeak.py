@@ -152,7 +152,7 @@ def _package() -> Path:
     """Return the folder that holds espeakng_loader. It is only located: the worker imports it."""
     spec = importlib.util.find_spec("espeakng_loader")
     if spec is None or spec.origin is None:
-        raise SpeechError("the package 'espeakng-loader' is not installed; it brings the speech synthesizer")
+        raise SpeechError("speech needs the package 'espeakng-loader' (pip install espeakng-loader)")
     return Path(spec.origin).parent.parent
 
 

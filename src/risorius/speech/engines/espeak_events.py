@@ -23,7 +23,7 @@ from .protocol import Rendition, SpokenPhone
 
 
 class _Event(NamedTuple):
-    """A phoneme event: `name` is the bare mnemonic, `ipa` None where it was not asked for."""
+    """A phoneme event: `name` is the bare mnemonic, `ipa` None if it was not asked for."""
 
     start: int
     name: str
@@ -56,7 +56,7 @@ def render(
 ) -> Rendition:
     """Return the phones of a worker's answer.
 
-    It holds `sample_rate`, `phones` (sample, mnemonic, position of the word) and, where asked for, `ipa`: the
+    It holds `sample_rate`, `phones` (sample, mnemonic, position of the word) and, if asked for, `ipa`: the
     phones' names in IPA, and `tones`, in letters of the IPA. `rate` is in words per minute.
     """
     sample_rate = int(answer["sample_rate"])

@@ -1,4 +1,4 @@
-"""A request as espeak-ng reads it: plain text, or SSML where parts of it are directed.
+"""A request as espeak-ng reads it: plain text, or SSML if parts of it are directed.
 
 espeak-ng understands prosody, emphasis, break and voice; phonemes it takes as its own mnemonics between
 double square brackets. Its positions count characters of what it was given, so each has its origin in the
@@ -13,6 +13,7 @@ from itertools import groupby, pairwise
 from typing import NamedTuple
 from xml.sax.saxutils import escape, quoteattr
 
+from ...core.choices import RATES
 from ...core.directions import Break, DirectedSpan, Emphasis
 from ...core.manner import PLAIN, Manner
 from ...errors import SpeechWarning, warn
@@ -24,7 +25,6 @@ from .protocol import SpeechRequest
 # pitch of 50, 62.5 and 75).
 USUAL_RATE, USUAL_PITCH, USUAL_RANGE, USUAL_VOLUME = 175, 50, 50, 100
 PITCH_PER_SEMITONE = 6.0
-SLOWEST, FASTEST = 80, 440
 
 # Returns the attribute of the element `voice` for the voice that a span asks for.
 FindVoice = Callable[[DirectedSpan], str]
@@ -56,7 +56,7 @@ def parameters(request: SpeechRequest) -> dict[str, int | None]:
     manner = request.manner
     rate = request.rate
     if manner.rate != 1.0:
-        rate = max(SLOWEST, min(round((rate or USUAL_RATE) * manner.rate), FASTEST))
+        rate = max(int(RATES.low), min(round((rate or USUAL_RATE) * manner.rate), int(RATES.high)))
     pitch = request.pitch
     if manner.pitch != 0.0:
         base = USUAL_PITCH if pitch is None else pitch
@@ -130,7 +130,7 @@ def _silence(pause: Break) -> str:
 
 
 def _dictation(span: DirectedSpan | None, language: Language) -> str | None:
-    """Return the mnemonics of a span's phones; None where there are none, or the voice takes none."""
+    """Return the mnemonics of a span's phones; None if there are no mnemonics, or the voice takes none."""
     if span is None:
         return None
     spelling = dictated(span.phones, language)
@@ -165,5 +165,5 @@ def _loudness(decibels: float) -> int:
 
 
 def voice_attribute(key: str) -> str:
-    """Return the attribute by which the element `voice` names what espeak-ng calls `key`."""
+    """Return the attribute of the element `voice` for espeak-ng's `key`."""
     return f"name={quoteattr(key)}"

@@ -10,10 +10,10 @@ from .mnemonics import is_pause
 
 
 def tones_of(names: Sequence[str], transcribed: Sequence[str], tones: Mapping[str, str]) -> list[str]:
-    """Return the tone of each sound of a rendition in letters of the IPA, "" where none is known.
+    """Return the tone of each sound of a rendition in letters of the IPA, "" if none is known.
 
     `names` are the mnemonics of events, `transcribed` those of the same text with tones, `tones` the letters
-    of each tone by its digits. Both say the same sounds; where they do not, tones are unknown.
+    of each tone by its digits. Both say the same sounds; if they do not, tones are unknown.
     """
     sounds = [index for index, name in enumerate(names) if _is_sound(name)]
     spoken = [strip_stress(names[index])[0] for index in sounds]

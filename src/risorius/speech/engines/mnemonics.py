@@ -1,4 +1,4 @@
-"""espeak-ng's names of sounds: its mnemonics as ARPAbet and back, and what it calls IPA as IPA."""
+"""espeak-ng's names of sounds: its mnemonics as ARPAbet and back, and its variant of IPA as IPA."""
 
 from __future__ import annotations
 

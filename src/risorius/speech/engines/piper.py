@@ -1,4 +1,4 @@
-"""A Piper voice, given by its `.onnx` file, spoken by the program `piper` where it is installed.
+"""A Piper voice, given by its `.onnx` file, spoken by the program `piper` if it is installed.
 
 Recent releases of Piper are GPL-3 and older ones MIT; it runs in a process of its own, and none is a
 dependency. Its command line gives no phone times, so they come from espeak-ng's voice of the language,
@@ -26,12 +26,12 @@ from .reference import warped
 from .registry import VOICE_FILES
 
 PROGRAM_VARIABLE = "RISORIUS_PIPER"
-"""The environment variable that names the program where it is not on the path."""
+"""The environment variable that names the program if it is not on the path."""
 SECONDS = 120.0
 
 
 class PiperEngine(ProgramEngine):
-    """Speaks through Piper; raises SpeechError where it fails."""
+    """Speaks through Piper; raises SpeechError if it fails."""
 
     def __init__(self, program: str, model: Path, language: str) -> None:
         super().__init__([program, "--model", str(model)], str(model), language)

@@ -41,7 +41,7 @@ _LARGEST_NUMBER = 1e9  # of a time in seconds, or of an index in the text
 
 
 class ProgramEngine:
-    """Speaks through a program. `language` is what the voice speaks, in BCP 47.
+    """Speaks through a program. `language` is that of the voice, in BCP 47.
 
     Without phone times in its answer, those of espeak-ng's voice of that language are warped onto the sound.
     """
@@ -67,14 +67,14 @@ class ProgramEngine:
         return (Voice(self._name, (self._language,), "", f"the program {self._name}", self._name),)
 
     def mean_pitch(self, voice: Voice) -> float | None:
-        """Return None: what a program's voice is like shows only as it speaks."""
+        """Return None: the properties of a program's voice show only as it speaks."""
         return None
 
     def close(self) -> None:
         """Do nothing: no process outlives its answer."""
 
     def _tell(self, request: SpeechRequest) -> None:
-        """Warn, once, of what is asked for parts of the text."""
+        """Warn, once, of directions for parts of the text."""
         if request.directions and not self._told:
             self._told = True
             message = f"the voice '{self._name}' does not follow breaks, emphasis and the like within a text"

@@ -1,4 +1,4 @@
-"""What a speech engine is: something that turns a stretch of text into sound with timed phones."""
+"""The interface of speech engines, which turn a stretch of text into sound with timed phones."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ...core.manner import PLAIN, Manner
 class Voice:
     """A voice: the name by which users choose it, its languages (BCP 47, lower case), gender, description.
 
-    The first language is its own, the others are wider ones. `gender` is "male", "female" or "" where
+    The first language is its own, the others are wider ones. `gender` is "male", "female" or "" if
     unknown. `key` is what the engine calls it.
     """
 
@@ -27,7 +27,7 @@ class Voice:
 
     @property
     def language(self) -> str:
-        """The language of the voice; "" for what is only a variant of others."""
+        """The language of the voice; "" for a voice that is only a variant of others."""
         return self.languages[0] if self.languages else ""
 
 
@@ -95,5 +95,5 @@ class SpeechEngine(Protocol):
         ...
 
     def close(self) -> None:
-        """Release what the engine holds; a later call takes it up again."""
+        """Release the engine's resources; a later call acquires them again."""
         ...

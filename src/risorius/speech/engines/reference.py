@@ -16,11 +16,11 @@ from .protocol import Rendition, SpokenPhone
 
 HOP, WINDOW = 0.010, 0.025
 _BANDS, _LOWEST, _HIGHEST = 20, 100.0, 5000.0
-# What is so far below the loudest frame counts as silence (natural logarithm of power).
+# A frame this far below the loudest one counts as silence (natural logarithm of power).
 _FLOOR = 12.0
 # A path may stay this many times cheaper on the diagonal than beside it.
 _BESIDE = 1.3
-# Where a step of the path comes from: both, only a frame of the first, only one of the second.
+# The origin of a step of the path: both, only a frame of the first, only one of the second.
 _FROM_A, _FROM_B = 1, 2
 
 

@@ -22,7 +22,7 @@ VOICE_FILES: Registry[Callable[[Path, str | None], SpeechEngine]] = Registry("vo
 
 
 def load_engine(name: str = DEFAULT_ENGINE) -> SpeechEngine:
-    """Return the speech engine called `name`; raise ParameterError if there is none."""
+    """Return the speech engine called `name`; raise ParameterError if it is unknown."""
     return ENGINES.get(name)()
 
 

@@ -98,9 +98,9 @@ def _by_language(language: str, known: tuple[Voice, ...]) -> Voice:
 
 
 def _unknown_language(language: str, known: tuple[Voice, ...]) -> str:
-    """Word the message for a language that nobody speaks.
+    """Return the message for a language without a voice.
 
-    A code that only looks alike (`xx`, `xex`) is no help: expected is one that begins as this does (`deu`),
+    A code that only looks alike (`xx`, `xex`) does not help: suggest one that begins in the same way (`deu`),
     or whose voice has this name (`german`).
     """
     wanted = _plain(language)

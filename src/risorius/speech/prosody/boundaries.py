@@ -1,4 +1,4 @@
-"""Where phrases end, and the tones with which they do."""
+"""Find the ends of phrases, and the tones with which they end."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def _reset(utterance: Utterance, run: Run, index: int, contour: Contour | None) 
 
 
 def _ending(contour: Contour, start: float, end: float) -> PhraseEnd:
-    """Return the tune over what is voiced at the end of [start, end]."""
+    """Return the tune over the voiced frames at the end of [start, end]."""
     values = contour.within(start, end)
     voiced = np.flatnonzero(contour.voiced_within(start, end)[: len(values)])
     values = values[: int(voiced[-1]) + 1]

@@ -55,7 +55,7 @@ class Contour:
 
 
 def contour_of(pitch: Pitch, speaker: RunningRange) -> Contour | None:
-    """Return the tune, None where nothing is voiced; its frames are added to those of the speaker."""
+    """Return the tune, None if nothing is voiced; its frames are added to those of the speaker."""
     raw = pitch.semitones
     voiced = np.isfinite(raw)
     if not voiced.any():

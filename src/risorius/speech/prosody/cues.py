@@ -1,4 +1,4 @@
-"""What makes a syllable stand out: how high, loud and long it is beside the others."""
+"""Cues that make a syllable stand out: its pitch, loudness and length beside the others."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _FEWEST_FOR_A_LINE = 4
 
 @dataclass(frozen=True, slots=True)
 class Cues:
-    """Per syllable of a run, (n,) each, beside what was heard of the speaker up to the run's end.
+    """Per syllable of a run, (n,) each, relative to the speaker's statistics up to the run's end.
 
     `height` of the vowel's mean pitch in standard deviations, `loudness` in dB above the mean, `length` as
     the log of how much longer its vowel is than that vowel's mean, `prominence` in standard deviations.

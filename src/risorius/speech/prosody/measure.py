@@ -1,4 +1,4 @@
-"""An utterance with what its sound tells of how it is said."""
+"""An utterance with the prosody measured in its sound."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ def measured(
 ) -> Utterance:
     """Return the utterance with its accents and boundaries measured, and how its syllables sound.
 
-    Accents and boundaries that are not asked for stay as they are. What is between two pauses is measured
-    from the sound up to its end: what follows changes nothing of it. `measure` measures its pitch.
+    Accents and boundaries that are not asked for stay as they are. Speech between two pauses is measured
+    from the sound up to its end: later sound does not change it. `measure` measures its pitch.
     """
     resampled = Resampled(utterance.audio)
     speaker = unknown_speaker()
@@ -97,6 +97,6 @@ def _sounding(utterance: Utterance, run: Run, cues: Cues) -> Iterator[Syllable]:
 
 
 def speech_rate(utterance: Utterance) -> float:
-    """Return syllables per second of speech, pauses left out; 0 where nothing is said."""
+    """Return syllables per second of speech, pauses left out; 0 if nothing is said."""
     spoken = sum(word.end - word.start for word in utterance.words)
     return len(utterance.syllables) / spoken if spoken > 0.0 else 0.0

@@ -49,7 +49,7 @@ class Pitch:
 
     @property
     def semitones(self) -> Array:
-        """F0 in semitones above 1 Hz, NaN where there is no voice."""
+        """F0 in semitones above 1 Hz, NaN in unvoiced frames."""
         return np.asarray(12.0 * np.log2(self.hertz))
 
 
@@ -145,7 +145,7 @@ def _minima(normalised: Array) -> _Candidates:
 
 
 def _centred(hertz: Array) -> Array:
-    """Return the F0 at the frames' times: what was compared lies the earlier, the shorter the period."""
+    """Return the F0 at the frames' times: the compared samples lie earlier, the shorter the period."""
     longest = int(RATE / LOWEST) + 2
     times = STEP * np.arange(len(hertz)) - 0.5 * (longest / RATE - 1.0 / hertz)
     centred = hertz.copy()
@@ -165,7 +165,7 @@ def _quiet(resampled: Resampled, frames: range, end: float) -> BoolArray:
 
 
 def _path(candidates: _Candidates, quiet: BoolArray, floor: float, ceiling: float) -> Array:
-    """Return the F0 of each frame on the cheapest path, NaN where it is unvoiced."""
+    """Return the F0 of each frame on the cheapest path, NaN if it is unvoiced."""
     octaves = np.log2(np.where(np.isfinite(candidates.hertz), candidates.hertz, HIGHEST))
     cost = candidates.aperiodicity + LOW_COST * (np.log2(HIGHEST) - octaves)
     outside = np.maximum(np.log2(floor) - octaves, 0.0) + np.maximum(octaves - np.log2(ceiling), 0.0)

@@ -31,7 +31,7 @@ class PitchCache:
         return len(self._pitch)
 
     def measure(self, resampled: Resampled, start: float, end: float, speaker: RunningRange) -> Pitch:
-        """Return what `measure_pitch` does."""
+        """Return the result of `measure_pitch`."""
         with self._lock:
             key = self._key(resampled.audio, start, end, speaker)
             pitch = self._pitch.pop(key, None)
@@ -45,7 +45,7 @@ class PitchCache:
         return pitch
 
     def _key(self, audio: Audio, start: float, end: float, speaker: RunningRange) -> bytes:
-        """Return a digest of all that a measurement depends on: the sound up to the end, and who speaks."""
+        """Return a digest of all that a measurement depends on: the sound up to the end, and the speaker."""
         samples = ceil((end + _BEYOND) * audio.sample_rate)
         if self._sound is None or not self._sound.reaches(audio, samples):
             self._sound = SoundDigest(audio)
@@ -63,11 +63,11 @@ class SoundDigest:
         self._block = np.zeros(0, np.int16)
 
     def reaches(self, audio: Audio, samples: int) -> bool:
-        """Tell whether it can digest this sound up to so many samples."""
+        """Tell whether it can digest this sound up to `samples`."""
         return audio is self._audio and samples >= self._read
 
     def up_to(self, samples: int) -> bytes:
-        """Return the digest of so many samples, or of all if there are fewer; no fewer than last time."""
+        """Return the digest of the first `samples`, or of all of them; at least as many as last time."""
         while self._read < samples:
             if not len(self._block):
                 following = next(self._blocks, None)

@@ -1,4 +1,4 @@
-"""Where running statistics start from (`data/priors.toml`)."""
+"""Prior values from which running statistics start (`data/priors.toml`)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Statistics of what was heard so far, which start from priors: nothing that follows changes them."""
+"""Statistics of the sound so far, which start from priors: later sound does not change them."""
 
 from __future__ import annotations
 
@@ -146,14 +146,14 @@ class SpeakerStatistics:
 
 
 def unknown_speaker() -> SpeakerStatistics:
-    """Return what is known of a speaker who has not been heard: how people speak."""
+    """Return the statistics of a speaker who has not been heard: those of people in general."""
     usual = priors()
     known = (usual.pitch.deviation / usual.pitch.between) ** 2
     return _speaker(usual.pitch.mean, usual.pitch.deviation, known, known)
 
 
 def known_voice(hertz: float) -> SpeakerStatistics:
-    """Return what is known of a synthesizer's voice: the mean of its pitch."""
+    """Return the statistics of a synthesizer's voice: the mean of its pitch."""
     usual = priors()
     syllables = usual.seconds * usual.syllables
     return _speaker(12.0 * float(np.log2(hertz)), usual.voice.deviation, syllables, _frames())

@@ -1,4 +1,4 @@
-"""Runs: what is said between two pauses. Each is measured from the sound up to its end."""
+"""Runs: stretches of speech between two pauses. Each is measured from the sound up to its end."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ BEYOND = 0.1
 
 
 def utterance_dictated(audio: Audio, text: str, directions: Directions) -> Utterance:
-    """Return what a recording says, by the phones and durations that `directions` write for each word.
+    """Return the utterance of a recording, by the phones and durations that `directions` give for each word.
 
     A pause that is written before the first word is the recording's beginning; without one the first word
     begins where the aligner hears it. Raises InputError, with its place, if the phones last longer than the

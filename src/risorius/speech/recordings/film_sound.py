@@ -1,4 +1,4 @@
-"""The sound of films and of what telephones record: m4a, mp4, mov, webm, aac, by a worker process."""
+"""The sound of films and of telephones' recordings: m4a, mp4, mov, webm, aac, by a worker process."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def container_of(beginning: bytes) -> str | None:
 class FilmSound:
     """The sound of a film, its channels averaged. Use as a context manager: leaving it ends the decoder.
 
-    `sample_rate` is known from the start. Raises InputError with the file's place if there is no sound, if it
+    `sample_rate` is known from the start. Raises InputError with the file's place if it has no sound, if it
     cannot be decoded, or if the decoder does not answer for `PATIENCE` seconds.
     """
 

@@ -1,6 +1,6 @@
-"""From a TextGrid of words and phones, and the recording it belongs to, to an Utterance.
+"""Make an Utterance of a TextGrid of words and phones and the recording that it labels.
 
-The labels are taken as they are: whoever made them, by hand or with an aligner, knows better. Tiers are found
+The labels are taken as they are, because their author or aligner knew the recording better. Tiers are found
 by name, as Praat's users and aligners spell them. Phones are ARPAbet, with stress digits or without, or IPA.
 """
 
@@ -28,7 +28,7 @@ from .tone_labels import read_tones, tells_accents, tells_boundaries
 
 WORD_TIERS = ("words", "word", "orthography", "ort", "ort-mau", "wrd")
 PHONE_TIERS = ("phones", "phone", "phonemes", "phoneme", "segments", "mau", "phn", "sounds")
-# Seconds: labels so near to each other touch, and so much may the last reach beyond the recording.
+# Seconds: the largest gap of labels that touch, and the most that the last may reach beyond the recording.
 TOUCHING, BEYOND = 0.002, 0.1
 SHORTEST = 1e-4
 # The language of labels in ARPAbet, and of others.
@@ -37,7 +37,7 @@ NO_WORD = -1
 
 
 def utterance_of_labels(grid: TextGrid, audio: Audio | None = None) -> Utterance:
-    """Return what a TextGrid says; without a recording it is silent.
+    """Return the utterance of a TextGrid; without a recording it is silent.
 
     Tiers `accents`, `boundaries` and `tones` (points with ToBI's labels) give accents and boundaries. Raises
     InputError, with the line, for tiers that are missing, overlaps, unknown phones and labels beyond the
@@ -73,7 +73,7 @@ def utterance_of_labels(grid: TextGrid, audio: Audio | None = None) -> Utterance
 def found_tier(grid: TextGrid, names: Sequence[str]) -> Tier | None:
     """Return the tier of intervals with one of these names, alone or after a speaker's ("Anna - words").
 
-    Raises InputError where several speakers have one.
+    Raises InputError if several speakers have one.
     """
     tiers = [
         t for t in grid.tiers if t.kind == INTERVALS and t.name.split(" - ")[-1].strip().lower() in names
@@ -182,7 +182,7 @@ def _known(sound: PhoneLabel) -> int:
 def _stressed(
     phones: tuple[Phone, ...], words: Sequence[Word], sounds: Sequence[PhoneLabel], text: str
 ) -> tuple[Phone, ...]:
-    """Return the phones with the stress that espeak-ng gives the words where no label tells it."""
+    """Return the phones with the stress that espeak-ng gives the words if no label tells it."""
     if not text or all(sound.stress is not None for sound in sounds):
         return phones
     spoken = synthesize(text)

@@ -1,4 +1,4 @@
-"""What a phone tier's labels stand for: ARPAbet with or without stress digits, IPA, or silence."""
+"""The meaning of a phone tier's labels: ARPAbet with or without stress digits, IPA, or silence."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ TONE_LETTERS = "˥˦˧˨˩ˀ"
 
 
 class PhoneLabel(NamedTuple):
-    """A phone as core has it; `stress` None where the label does not tell."""
+    """A phone as core has it; `stress` None if the label does not tell."""
 
     symbol: str
     stress: int | None
@@ -46,7 +46,7 @@ class PhoneLabel(NamedTuple):
 
 
 def read_phones(labels: Sequence[Label], source: str) -> tuple[bool, list[PhoneLabel]]:
-    """Return whether the labels are ARPAbet (else IPA), and what each stands for.
+    """Return whether the labels are ARPAbet (else IPA), and the meaning of each.
 
     Raises InputError, with the line, for a label that is not a phone.
     """

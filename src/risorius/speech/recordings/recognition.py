@@ -1,7 +1,7 @@
-"""Words from the sound alone, where nobody has written them down; phones where words fail.
+"""Words from the sound alone, if nobody has written them down; phones if words fail.
 
 Stretch by stretch between pauses: pocketsphinx's language model names the words, and these are aligned as a
-transcript's would be. Where they do not fit what is heard, a loop over all phones says at least what the
+transcript's would be. If they do not fit what is heard, a loop over all phones says at least what the
 mouth does. Both are far weaker than a transcript: about one word in four is wrong.
 """
 
@@ -35,7 +35,7 @@ _ALTERNATIVE = re.compile(r"\(\d+\)$")
 
 
 def recognize(audio: Audio, progress: Progress = quiet) -> Utterance:
-    """Return what seems to be said when in a recording.
+    """Return the words and times that are recognized in a recording.
 
     Raises InputError if nothing is, SpeechError if the recognizer fails. `progress` is told how many seconds
     of a long recording are recognized.
@@ -65,7 +65,7 @@ def _heard(audio: Audio, decoders: Decoders, progress: Progress) -> tuple[str, L
 
 
 def stretches(resampled: Resampled) -> Iterator[tuple[float, float]]:
-    """Yield spans of seconds that follow one another over the recording, cut in pauses where possible."""
+    """Yield spans of seconds that follow one another over the recording, cut in pauses if possible."""
     levels = np.asarray(resampled.levels, np.float64)
     start, count = 0, len(levels)
     while (count - start) * LEVEL_STEP > LATEST:

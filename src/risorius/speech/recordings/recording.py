@@ -26,7 +26,7 @@ LOWEST_RATE, HIGHEST_RATE = 8_000, 96_000
 SHORTEST, LONGEST = 0.1, 6 * 3600.0
 # The loudest sample of a recording in which something can be heard: -60 dB of full scale.
 SILENT_PEAK = 1e-3
-# Sound is clipped where so many samples in a row hold the largest value, near full scale.
+# Sound is clipped if CLIPPED_RUN samples in a row hold the largest value, near full scale.
 CLIPPED_LEVEL, CLIPPED_RUN = 0.985, 4
 # Fewer clipped samples than this share are not worth a word.
 CLIPPED_SHARE = 2e-4
@@ -58,7 +58,7 @@ def read_recording(path: str | PathLike[str]) -> Audio:
 
 @contextmanager
 def _hushed() -> Iterator[None]:
-    """Let no library write on standard error: libmpg123 complains there of what is damaged."""
+    """Keep libraries from writing on standard error: libmpg123 complains there of damaged files."""
     try:
         kept = os.dup(2)
     except OSError:
@@ -132,7 +132,7 @@ class SoundFileSource:
 
 
 def _bounded(source: SoundFileSource | FilmSound, place: Place) -> Iterator[Float32Array]:
-    """Yield a recording's sound in blocks; raise InputError where it is too long."""
+    """Yield a recording's sound in blocks; raise InputError if it is too long."""
     frames = 0
     for block in source.blocks():
         frames += len(block)
@@ -143,14 +143,14 @@ def _bounded(source: SoundFileSource | FilmSound, place: Place) -> Iterator[Floa
 
 def _reason(error: Exception) -> str:
     text = str(getattr(error, "error_string", None) or getattr(error, "strerror", None) or error)
-    if "possibly a pipe" in text:  # what libsndfile says of a file that is no MP3, but called so
+    if "possibly a pipe" in text:  # libsndfile's words for a file that is only named .mp3
         text = "Format not recognised"
     return f"cannot be read ({text.rstrip('.')})"
 
 
 @dataclass
 class _Checks:
-    """What is noticed while the blocks of a recording go by; counts and positions are in samples."""
+    """Checks of the blocks of a recording as they are read; counts and positions are in samples."""
 
     sample_rate: int
     peak: float = 0.0
@@ -180,7 +180,7 @@ class _Checks:
             self.clipped += int((long[:, 1] - long[:, 0]).sum())
 
     def report(self, audio: Audio, place: Place) -> None:
-        """Raise InputError for silence; warn of what was mended and of what cannot be."""
+        """Raise InputError for silence; warn of faults that were mended or cannot be."""
         if self.peak < SILENT_PEAK:
             raise InputError("is silent; expected speech", place)
         if self.odd:

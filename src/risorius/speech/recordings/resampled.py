@@ -13,7 +13,7 @@ from ...core.audio import Audio
 from ..filters import low_pass, with_rate
 
 RATE = 16_000
-# Where the loud frames of speech are brought, in units of 16-bit samples (root mean square).
+# The level to which the loud frames of speech are brought, in units of 16-bit samples (root mean square).
 SPEECH_LEVEL = 2_500.0
 # Seconds per frame of `levels`.
 LEVEL_STEP = 0.01
@@ -35,7 +35,7 @@ class Resampled:
     def read(self, start: float, end: float) -> Array:
         """Return the sound of [start, end) in seconds at 16 kHz, shape (n,), in units of 16-bit samples.
 
-        The first sample is the one nearest to `start`. What lies outside the recording is silent. The level
+        The first sample is the one nearest to `start`. Samples outside the recording are silent. The level
         is that at which loud speech up to `end` has a root mean square of 2,500.
         """
         first, count = round(start * RATE), round((end - start) * RATE)
@@ -43,7 +43,7 @@ class Resampled:
         return gain * _resampled(self.audio, first, max(count, 0))
 
     def loud_level(self, end: float) -> float:
-        """Return the level of loud speech up to `end` seconds, in dB: what a frame in twenty exceeds."""
+        """Return the level of loud speech up to `end` seconds, in dB, which one frame in twenty exceeds."""
         count = min(max(round(end / LEVEL_STEP), 1), len(self.levels))
         blocks = count // _FRAMES_PER_BLOCK
         counts = self._level_counts[blocks] + _counted(self.levels[blocks * _FRAMES_PER_BLOCK : count])
@@ -55,7 +55,7 @@ class Resampled:
 
     @cached_property
     def _level_counts(self) -> Int32Array:
-        """How many frames before each block have each level, shape (blocks + 1, levels)."""
+        """The number of frames before each block that have each level, shape (blocks + 1, levels)."""
         blocks = len(self.levels) // _FRAMES_PER_BLOCK
         counts = np.zeros((blocks + 1, _LEVELS), np.int32)
         for block in range(blocks):
@@ -92,7 +92,7 @@ def _frame_levels(audio: Audio, frames: range, step: float) -> Float32Array:
 
 
 def _resampled(audio: Audio, first: int, count: int) -> Array:
-    """Return `count` samples at 16 kHz from sample `first` (at 16 kHz) on, zeros where there is no sound."""
+    """Return `count` samples at 16 kHz from sample `first` (at 16 kHz) on, zeros outside the sound."""
     divisor = math.gcd(RATE, audio.sample_rate)
     up, down = RATE // divisor, audio.sample_rate // divisor
     # The filter's phase repeats every `down` samples: begin at such a sample, with room for the filter.

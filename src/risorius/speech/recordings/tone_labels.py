@@ -13,7 +13,7 @@ from ...errors import InputError, Place, unknown
 from ...script.textgrid import POINTS, Label, TextGrid, Tier
 from ..structure.nuclei import with_nuclei
 
-# What may stand in tiers of these names.
+# Labels that may stand in tiers of these names.
 ACCENTS, BOUNDARIES = (*PITCH_ACCENTS, UNKNOWN_ACCENT), (*BOUNDARY_TONES, UNKNOWN_BOUNDARY)
 TIERS = {
     "accents": ACCENTS,
@@ -24,7 +24,7 @@ TIERS = {
 
 
 class Tones(NamedTuple):
-    """What the tiers say."""
+    """The accents and boundaries of the tiers."""
 
     accents: tuple[Accent, ...]
     boundaries: tuple[Boundary, ...]
@@ -43,12 +43,12 @@ def read_tones(grid: TextGrid, syllables: Sequence[Syllable], words: Sequence[Wo
 
 
 def tells_accents(grid: TextGrid) -> bool:
-    """Tell whether a tier holds accents, be it none."""
+    """Tell whether there is a tier of accents, possibly an empty one."""
     return any(UNKNOWN_ACCENT in _allowed(tier) for tier in _tone_tiers(grid))
 
 
 def tells_boundaries(grid: TextGrid) -> bool:
-    """Tell whether a tier holds boundaries, be it none."""
+    """Tell whether there is a tier of boundaries, possibly an empty one."""
     return any(UNKNOWN_BOUNDARY in _allowed(tier) for tier in _tone_tiers(grid))
 
 

@@ -1,1 +1,1 @@
-"""How speech is divided: syllables, pauses, accents and boundaries."""
+"""The structure of speech: syllables, pauses, accents and boundaries."""

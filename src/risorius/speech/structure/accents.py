@@ -178,7 +178,7 @@ def _syllables(utterance: Utterance, words: range) -> range:
 
 
 def _strongest(utterance: Utterance, words: range) -> int | None:
-    """Return the most stressed syllable of some words, the last of several; None if there is no syllable."""
+    """Return the most stressed syllable of some words, the last of several; None if they have none."""
     inside = _syllables(utterance, words)
     return max(inside, key=lambda index: (utterance.syllables[index].stress, index), default=None)
 

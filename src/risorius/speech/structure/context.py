@@ -1,4 +1,4 @@
-"""What the context makes of words: given ones, contrasted ones, and the part of an answer that is new.
+"""Effects of the context on words: given ones, contrasted ones, and the new part of an answer.
 
 Words that were said shortly before, or asked about, are given and lose their accents; what a question asks
 for is new and keeps them (paper B, section 2.2.1, after Steedman 1991; Ladd 2008). The theme of an answer,
@@ -15,10 +15,10 @@ from typing import NamedTuple
 from ...languages import Language, plain_word
 from ..text.tokens import tokenize
 
-# A word is given for so many sentences; a repetition in the same one that is nearer than so many words is a
-# figure of speech ("hand in hand"). Both are ours.
+# The number of sentences for which a word is given, and the number of words within which a repetition in the
+# same sentence is a figure of speech ("hand in hand"). Both are ours.
 _SENTENCES, _APART = 3, 3
-# What is contrasted follows its particle after so many function words at most.
+# Most function words between a particle and the word that it contrasts.
 _WITHIN = 3
 THEME = "L-H%"
 """The tones that end the theme of an answer (Steedman 1991)."""
@@ -47,7 +47,7 @@ class DiscourseContext:
 
 @dataclass(frozen=True, slots=True)
 class _Question:
-    """Stems of a question: of all its words, of what it turns to, of what it offers as a choice."""
+    """Stems of a question: of all its words, of its topic, of the choices that it offers."""
 
     stems: Set[str] = frozenset()
     topics: Set[str] = frozenset()
@@ -76,7 +76,7 @@ class _Line:
 
 
 def context_of(words: Sequence[PlacedWord], question: str, language: Language) -> DiscourseContext:
-    """Return what the context makes of words; their first sentence answers `question`, unless it is empty."""
+    """Return the effects of the context on words; the first sentence answers `question` if there is one."""
     if not language.spaces:
         return DiscourseContext()
     stems = [language.stem(word.text) for word in words]
@@ -161,7 +161,7 @@ def _taken_up(line: _Line, asked: _Question) -> Iterator[int]:
 
 
 def _corrected(line: _Line) -> Iterator[int]:
-    """Yield words that are contrasted in so many words: "not tea but coffee", "tea, not coffee"."""
+    """Yield words that are contrasted explicitly: "not tea but coffee", "tea, not coffee"."""
     for index, word in enumerate(line.words):
         if plain_word(word.text) not in line.language.discourse.negations:
             continue

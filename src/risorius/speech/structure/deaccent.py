@@ -74,7 +74,7 @@ def _is_noun(word: int, language: Language, words: range, texts: Sequence[str]) 
 
 
 def _within_groups(rules: AccentPlaces, utterance: Utterance, content: Sequence[int]) -> Iterator[int]:
-    """Yield words that are not the last of their group: neighbours of so many syllables in all at most."""
+    """Yield words that are not the last of their group: neighbours of at most `group` syllables in all."""
     if not rules.group:
         return
     syllables = 0

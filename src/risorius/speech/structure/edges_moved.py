@@ -25,7 +25,7 @@ Count = Annotated[int, Range(0, 2**31)]
 
 @dataclass(frozen=True, slots=True)
 class EdgeShift:
-    """By how many seconds a phone begins later than was found; below 0, earlier.
+    """The seconds by which a phone begins later than was found; below 0, earlier.
 
     The phone is number `phone` of the word `word`, which is said for the `nth` time, both from 0 on; the
     number after that of the word's last phone means the silence after the word. `symbol` is the phone's.
@@ -41,7 +41,7 @@ class EdgeShift:
 def edge_of(utterance: Utterance, phone: int, shift: float) -> EdgeShift:
     """Return the shift of the edge at which a phone, by its index, begins.
 
-    Raises InputError for what has no word before it, and where there is no such phone.
+    Raises InputError for a phone without a word before it, and for an index out of range.
     """
     if not 0 < phone < len(utterance.phones):
         raise InputError(f"there is no edge {phone}; expected 1 to {len(utterance.phones) - 1}")
@@ -79,7 +79,7 @@ def with_edges(utterance: Utterance, shifts: Sequence[EdgeShift]) -> Utterance:
             misfits.append(shift.word)
     if misfits:
         named = ", ".join(dict.fromkeys(misfits))
-        warn(f"edges of phones moved by hand have no place in this line: {named}", SpeechWarning)
+        warn(f"hand-moved phone boundaries no longer match this line, at: {named}", SpeechWarning)
     return _mapped(utterance, starts, _apart(moved)) if (moved != starts).any() else utterance
 
 
@@ -92,7 +92,7 @@ def _apart(starts: Array) -> Array:
     for k in range(last - 1, 0, -1):
         apart[k] = min(apart[k], apart[k + 1] - SHORTEST)
     if any(b <= a for a, b in pairwise(apart)):
-        raise InputError("the phones have no room between these edges")
+        raise InputError(f"two boundaries are too close: each phone needs at least {1000 * SHORTEST:g} ms")
     return apart
 
 

@@ -1,4 +1,4 @@
-"""Pauses and what they stand for, from the punctuation between the words around them."""
+"""Pauses and their meaning, from the punctuation between the words around them."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def find_pauses(
 
 
 def punctuation_kind(between: str) -> PauseKind | None:
-    """Return what the characters between two words stand for, None where nothing asks for a pause."""
+    """Return the kind of pause that the characters between two words ask for, None for no pause."""
     for pattern, kind in _KINDS:
         if pattern.search(between):
             return kind
@@ -56,7 +56,7 @@ def _pause(
 def _kind(
     text: str, phone: Phone, words: Sequence[Word], before: int, after: int, language: Language
 ) -> PauseKind | None:
-    """Return what the silence between two words, by their index, stands for; -1: there is no such word."""
+    """Return the meaning of the silence between two words, by their index; -1: no word on that side."""
     if before < 0:
         return PauseKind.INITIAL
     if after < 0:

@@ -1,4 +1,4 @@
-"""Phrases and sentences of what is said, and how they end and ask. They are found here and nowhere else."""
+"""Phrases and sentences, with their ends and kinds of question. They are found here and nowhere else."""
 
 from __future__ import annotations
 

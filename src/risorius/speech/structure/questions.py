@@ -1,4 +1,4 @@
-"""How a sentence asks, from its words."""
+"""The kind of question that a sentence asks, from its words."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from itertools import dropwhile
 from ...core.utterance import Question
 from ...languages import Language, Questions, plain_word
 
-# A sentence says how it asks with one of so many words.
+# The first words of a sentence among which its question word is sought.
 _FIRST_WORDS = 2
 
 
 class _Line:
-    """Words in a row; without blanks between them, what is looked for may be a part of one."""
+    """Words in a row; without blanks between them, a sought word may be a part of one."""
 
     def __init__(self, words: Sequence[str], spaces: bool) -> None:
         self._blank = " " if spaces else ""
@@ -53,7 +53,7 @@ def question_of(words: Sequence[str], language: Language) -> Question:
 
 
 def _by_first_words(texts: Sequence[str], table: Questions) -> Question | None:
-    """Return what the first words ask, of which the first that tells decides; None if none does.
+    """Return the kind of question that the first telling word asks; None if no word tells.
 
     "Now, what about Julia?", but not "Is it, when you can?"; "Is Peter there?" and "Peter, is he there?", but
     not "Peter is there?"

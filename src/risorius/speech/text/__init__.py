@@ -1,1 +1,1 @@
-"""The text before it is spoken: tokens, sentences, and what is read aloud in place of what is written."""
+"""The text before it is spoken: tokens, sentences, and the spoken form of written text."""

@@ -35,7 +35,7 @@ class NormalisedText(NamedTuple):
 
 
 def normalise(text: str, start: int, end: int, language: Language) -> NormalisedText:
-    """Return what is to be spoken for characters [start, end) of `text`; it holds no line break."""
+    """Return the spoken form of characters [start, end) of `text`, without line breaks."""
     chars: list[str] = []
     origin: list[int] = []
 
@@ -56,7 +56,7 @@ def normalise(text: str, start: int, end: int, language: Language) -> Normalised
 def placed(
     directions: Directions, spoken: NormalisedText, start: int, end: int, *, last: bool = False
 ) -> Iterator[DirectedSpan | Break]:
-    """Yield what `directions` say about characters [start, end) of the source, by characters of `spoken`.
+    """Yield the `directions` for characters [start, end) of the source, by characters of `spoken`.
 
     `last`: no text follows, so that breaks at its end belong here.
     """
@@ -82,7 +82,7 @@ def _clean(text: str, start: int, end: int, put: Callable[[str, int], None]) -> 
 
 
 def _cleaned(text: str, at: int, char: str) -> str:
-    """Return what is spoken for `char`, a blank where it only separates, nothing where it is invisible."""
+    """Return the spoken form of `char`, a blank if it only separates, nothing if it is invisible."""
     if char in APOSTROPHES:
         inside = at > 0 and text[at - 1].isalnum() and text[at + 1 : at + 2].isalnum()
         return "'" if inside else " "

@@ -28,7 +28,7 @@ _CLAUSE_END = re.compile(r"[,;:)\u2013\u2014\u3001\uff0c\uff1b](?=\s|[^\W\d]|$)"
 
 
 class TextStretch(NamedTuple):
-    """Characters [start, end) of a text, spoken as one; not `ends_sentence` where a long one was divided."""
+    """Characters [start, end) of a text, spoken as one; not `ends_sentence` if a long one was divided."""
 
     start: int
     end: int

@@ -76,7 +76,7 @@ def is_speakable(text: str) -> bool:
 
 
 def _character_class(char: str) -> str:
-    """Return one character: w letter, d digit, j joined to what is before it, c one that stands without
+    """Return one character: w letter, d digit, j joined to the one before it, c one that stands without
     spaces, $ currency, a blank, or the sign itself.
     """
     if char in _CLASSES:

@@ -10,7 +10,7 @@ from .takes import Previewed, State, TakeChange, TakeView
 
 @dataclass(frozen=True, slots=True)
 class FacesSent:
-    """How many faces were sent."""
+    """The number of faces that were sent."""
 
     sent: int
 
@@ -22,7 +22,7 @@ class Done:
 
 @dataclass(frozen=True, slots=True)
 class DialState:
-    """The value of every parameter of the dialled face; `notes` name what could not be shown."""
+    """The value of every parameter of the dialled face; `notes` name the parts that could not be shown."""
 
     values: Mapping[str, float]
     notes: tuple[str, ...] = ()
@@ -38,7 +38,7 @@ class Download:
 
 @dataclass(frozen=True, slots=True)
 class ContributionView:
-    """What a movement asks of a parameter and is given, as deviations from neutral, with the reason."""
+    """A movement's request for a parameter and the part applied, deviations from neutral, with the reason."""
 
     channel: str
     what: str
@@ -73,7 +73,7 @@ class Explanations:
 
 @dataclass(frozen=True, slots=True)
 class ChannelCurve:
-    """What a channel asks of a parameter and what it is given, `frames` values each.
+    """A channel's request for a parameter and the part that is applied, `frames` values each.
 
     Spans [start, end] in seconds. `inhibited`: nothing of it shows; `limited`: it is given less than it asks.
     """
@@ -120,7 +120,7 @@ class ProfileFile:
 
 @dataclass(frozen=True, slots=True)
 class PoseFile:
-    """What was saved under a name, as a file: an emotion (TOML), or the command that makes the pose."""
+    """A pose saved under a name, as a file: an emotion (TOML), or the command that makes the pose."""
 
     name: str
     file: str

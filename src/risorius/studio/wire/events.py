@@ -1,4 +1,4 @@
-"""What the server sends without a request, by name."""
+"""Events: messages that the server sends without a request, by name."""
 
 from __future__ import annotations
 

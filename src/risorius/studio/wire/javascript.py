@@ -73,7 +73,7 @@ def _properties(cls: type) -> Iterator[str]:
     hints = typing.get_type_hints(cls, include_extras=True)
     from_server = cls.__module__ in _FROM_SERVER or cls in TABLES
     for f in dataclasses.fields(cls):
-        # What the server sends is always complete.
+        # Messages of the server are always complete.
         no_default = f.default is dataclasses.MISSING and f.default_factory is dataclasses.MISSING
         name = f.name if from_server or no_default else f"[{f.name}]"
         yield f"@property {{{_type(hints[f.name])}}} {name}"

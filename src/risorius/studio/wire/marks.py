@@ -1,4 +1,4 @@
-"""What a user adds to a take beside its movements: markers, and which lanes are muted, alone or locked."""
+"""A user's additions to a take beside its movements: markers, and lanes muted, alone or locked."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ Markers = Annotated[tuple[Marker, ...], Then(_few)]
 class LaneStates:
     """Channels that are muted, those that act alone (`solo`), and those that are locked against changes.
 
-    What is muted moves nothing, also in exports. If any is solo, all others are as if muted.
+    Muted lanes move nothing, also in exports. If any is solo, all others are as if muted.
     """
 
     muted: ChannelNames = ()

@@ -24,7 +24,7 @@ class Open:
 
 @dataclass(frozen=True, slots=True)
 class Perform:
-    """Perform a script; edits follow its words, and what does not fit is `lost`. Answered by TakeView.
+    """Perform a script; edits follow its words, and those that do not fit are `lost`. Answered by TakeView.
 
     The voice is synthesized only if something that it depends on has changed.
     """
@@ -45,7 +45,7 @@ class Prepare:
 
 @dataclass(frozen=True, slots=True)
 class Draft:
-    """Save what is written but not performed, with the fields of Perform; State has it until then."""
+    """Save a text that is written but not performed, with the fields of Perform; State has it until then."""
 
     source: Source
     choices: Choices = field(default_factory=Choices)
@@ -239,7 +239,7 @@ class Explain:
 
 @dataclass(frozen=True, slots=True)
 class ChannelCurves:
-    """Ask what each channel asks of a parameter over the take and is given; answered by ParameterDetail."""
+    """Request each channel's curve of a parameter, asked and applied; answered by ParameterDetail."""
 
     take: Whole
     parameter: str

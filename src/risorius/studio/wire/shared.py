@@ -1,4 +1,4 @@
-"""What both sides send: a script or recording, the choices and the emotions that a take is performed from."""
+"""Messages of both sides: a script or recording, the choices and emotions that a take is performed from."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ else:
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """What is performed: a script as text of a format, or a recording by the name that its upload received.
+    """The source of a take: a script as text of a format, or a recording by the name of its upload.
 
     With a recording, the text is its transcript; if the text is empty, the words are recognized.
     `edges`: where phones begin elsewhere than was found.
@@ -48,7 +48,7 @@ class Source:
 
 @dataclass(frozen=True, slots=True)
 class TakeInputs:
-    """What a take is performed from: the fields of the request `perform`."""
+    """The inputs of a take: the fields of the request `perform`."""
 
     source: Source
     choices: Choices

@@ -1,4 +1,4 @@
-"""Takes as a page draws them: speech, blocks, curves, and what an edit changed in them."""
+"""Takes as a page draws them: speech, blocks, curves, and the changes of an edit in them."""
 
 from __future__ import annotations
 
@@ -171,7 +171,7 @@ class State:
     """A session: its take (null before the first), and the recordings, emotions and poses saved in it.
 
     `view`: what the page saved of itself. `notes`: what could not be restored. `draft`: what was written last
-    where it is not what was performed.
+    if it is not what was performed.
     """
 
     session: str

@@ -1,4 +1,4 @@
-"""What a page shows, as it is saved with the project. Projects are also of other people: it is bounded."""
+"""The view of a page, as it is saved with the project; bounded, because others may have made the project."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ FewNames = Annotated[tuple[str, ...], Then(_few)]
 
 @dataclass(frozen=True, slots=True)
 class CameraView:
-    """Where the head is seen from: centre and height of what is seen in metres, turn and tilt in degrees."""
+    """The camera: centre and height of its picture in metres, turn and tilt in degrees."""
 
     centre: tuple[Metres, Metres, Metres]
     height: Annotated[float, Range(0.01, 10.0)]
@@ -46,7 +46,7 @@ class CameraView:
 
 @dataclass(frozen=True, slots=True)
 class GraphsView:
-    """Which muscles have graphs (null: those that move most), which sides, and which lanes are folded."""
+    """The muscles with graphs (null: those that move most), their sides, and the folded lanes."""
 
     chosen: FewNames | None = None
     sides: Annotated[Mapping[str, Side], Then(_few)] = field(default_factory=dict)
@@ -55,7 +55,7 @@ class GraphsView:
 
 @dataclass(frozen=True, slots=True)
 class PageView:
-    """The open panel, the camera, the playhead and the graphs; null where nothing was chosen."""
+    """The open panel, the camera, the playhead and the graphs; null if nothing was chosen."""
 
     tab: Annotated[str, Then(_short)] | None = None
     camera: CameraView | None = None

@@ -1,0 +1,1 @@
+"""Small frozen results: curves, vertices and pictures that no change may move unless it says so."""
