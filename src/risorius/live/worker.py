@@ -1,4 +1,4 @@
-"""What a worker does that performs for live faces (`beside`)."""
+"""The tasks of a worker that performs for live faces (`beside`)."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What runs the package's work and is not about faces: other processes, compiled kernels."""
+"""Machinery below the package's work on faces: other processes, compiled kernels."""

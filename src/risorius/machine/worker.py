@@ -20,7 +20,7 @@ from types import ModuleType
 from typing import Any
 
 ITEM, DONE, FAILED = "item", "done", "failed"
-"""What an answer is: an item that a task tells on its way, what it returns, or a RisoriusError."""
+"""Kinds of answers: an item that a task tells on its way, its result, or a RisoriusError."""
 _LENGTH = struct.Struct("<Q")
 _ERRORS = "risorius.errors"
 

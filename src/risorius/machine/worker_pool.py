@@ -22,7 +22,7 @@ STARTING = 120.0  # seconds that a worker may take to load
 
 @dataclass(frozen=True, slots=True)
 class Lost:
-    """What comes back for a request whose worker ended or took too long; `reason` says which."""
+    """Comes back for a request whose worker ended or took too long; `reason` says which."""
 
     reason: str
 

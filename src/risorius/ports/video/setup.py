@@ -1,4 +1,4 @@
-"""What the video worker needs to begin a film."""
+"""The choices with which the video worker begins a film."""
 
 from __future__ import annotations
 
