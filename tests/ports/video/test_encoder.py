@@ -56,6 +56,15 @@ def test_a_picture_of_another_size_or_kind_is_refused(tmp_path: Path) -> None:
         encoder.picture(NOISE[:100])
 
 
+def test_a_sound_may_be_longer_than_its_pictures(tmp_path: Path) -> None:
+    """Answers are read meanwhile: more of them would not fit into the socket."""
+    with VideoEncoder(tmp_path / "x.mp4", (64, 64), Fraction(30), 22_050, 30.0) as encoder:
+        encoder.picture(np.zeros((64, 64, 3), np.uint8))
+        for _ in range(1000):
+            encoder.sound(np.zeros(735, np.int16))
+    assert (tmp_path / "x.mp4").stat().st_size > 0
+
+
 @posix
 def test_a_killed_worker_is_an_error_and_leaves_nothing(tmp_path: Path) -> None:
     with pytest.raises(OutputError, match=r"the video encoder ended without an answer \(signal 9\)"):

@@ -76,9 +76,7 @@ class VideoEncoder:
         """Add the next picture, uint8 of shape (height, width, channels); it may be changed afterwards."""
         if rgb.shape != self._shape or rgb.dtype != np.uint8:
             raise ValueError(f"a picture is {rgb.dtype}{rgb.shape}; expected uint8{self._shape}")
-        # Answers come in order: the picture that was in the slot has been encoded.
-        while self._unanswered >= SLOTS:
-            self._collect()
+        self._make_room()
         number = self._pictures % SLOTS
         slot, numbers = np.frombuffer(self._slots.slot(number), np.uint8), np.ascontiguousarray(_even(rgb))
         if self._as_planes:
@@ -91,12 +89,18 @@ class VideoEncoder:
     def sound(self, samples: Int16Array) -> None:
         """Add int16 samples, shape (n,)."""
         if len(samples):
+            self._make_room()
             self._ask("sound", samples.astype("<i2", copy=False).tobytes())
 
     def finish(self) -> None:
         """Complete the file and end the worker."""
         self._ask("finish")
         while self._unanswered:
+            self._collect()
+
+    def _make_room(self) -> None:
+        """Wait until fewer requests than slots are unanswered: then the next picture's slot is free."""
+        while self._unanswered >= SLOTS:
             self._collect()
 
     def _ask(self, what: str, *arguments: object) -> None:
