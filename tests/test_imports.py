@@ -18,7 +18,7 @@ import risorius
 
 ROOT = Path(risorius.__file__).parent
 GROUND = {"errors"}
-WORDS = {"core", "languages", "rules", "script", "speech"}
+WORDS = {"core", "machine", "languages", "rules", "script", "speech"}
 TAKE = WORDS | {"channels", "blend", "face", "looks", "render", "ports", "settings"}
 PIPELINE = TAKE | {"unused_settings", "solvers", "take"}
 LIBRARY = PIPELINE | {"presets", "pipeline", "api", "live", "batches"}
@@ -30,19 +30,20 @@ MAY_IMPORT: Mapping[str, set[str]] = {
     "heads": set(),
     "core": set(),
     "browser": set(),
+    "machine": {"core"},
     "web": {"core"},
     "languages": {"core"},
     "rules": {"core", "languages"},
     "script": {"core", "languages", "rules"},
-    "speech": {"core", "languages", "rules", "script"},
-    "channels": WORDS,
+    "speech": {"core", "machine", "languages", "rules", "script"},
+    "channels": WORDS - {"machine"},
     "blend": {"core"},
     "face": {"core"},
     "settings": {"core", "rules", "speech", "blend", "face"},
     "presets": {"core", "settings"},
     "looks": {"core", "face", "settings"},
     "render": {"core", "face", "settings", "looks"},
-    "ports": {"core", "browser", "languages", "script", "face", "looks", "render"},
+    "ports": {"core", "machine", "browser", "languages", "script", "face", "looks", "render"},
     "unused_settings": {"core", "speech", "ports", "settings"},
     "notebook": {"core", "render"},
     "solvers": {"core", "rules", "face", "settings", "unused_settings"},
@@ -75,6 +76,7 @@ BY_NAME = {
     "core/names.py",
     "notebook/shown_take.py",
     "languages/load.py",
+    "machine/worker.py",
     "ports/formats.py",
     "render/protocol.py",
 }
@@ -109,7 +111,8 @@ def _targets(module: str, nodes: Iterator[ast.AST]) -> Iterator[str]:
             yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.Constant) and isinstance(node.value, str):
             named = NAMED.fullmatch(node.value)
-            yield from (name for name in (f"risorius.{named[1]}",) if name in _modules()) if named else ()
+            names = {named[1], f"risorius.{named[1]}"} if named else set()
+            yield from names & _modules().keys()
 
 
 def _of_ours(module: str) -> set[str]:

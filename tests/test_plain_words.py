@@ -23,14 +23,9 @@ RIDDLES = {
 }
 # Files that are being replaced; their sentences go with them.
 LATER = {
-    "batches/pool.py",
     "core/kernels/kernel_source.py",
     "core/kernels/shipped.py",
     "ports/page_modules.py",
-    "ports/video/messages.py",
-    "ports/video/slots.py",
-    "speaking.py",
-    "speech/recordings/film_worker.py",
 }
 
 

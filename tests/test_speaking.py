@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import os
-import subprocess
 from collections.abc import Callable
-from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
@@ -16,9 +14,9 @@ import risorius
 from risorius import Look, Settings, speaking
 from risorius.api import speak
 from risorius.cli import run
-from risorius.core import processes
 from risorius.core.progress import quiet
 from risorius.errors import HeadError, InputError, warnings_to
+from risorius.machine.workers import Worker
 from risorius.render import Renderer, RendererSetup, protocol
 from risorius.speaking import speak_and_prepare
 
@@ -27,18 +25,18 @@ LINE: dict[str, Any] = {"script": "Oh, Hans said møøse.", "text": True, "emoti
 
 
 @pytest.fixture
-def started(monkeypatch: pytest.MonkeyPatch) -> list[subprocess.Popen[bytes]]:
-    """The processes that speak."""
-    begun: list[subprocess.Popen[bytes]] = []
+def started(monkeypatch: pytest.MonkeyPatch) -> list[Worker]:
+    """The workers that speak."""
+    begun: list[Worker] = []
 
-    def start_connected(*arguments: Any, **options: Any) -> tuple[subprocess.Popen[bytes], Connection]:
-        process, connection = processes.start_connected(*arguments, **options)
-        begun.append(process)
-        return process, connection
+    class Noted(Worker):
+        def __init__(self) -> None:
+            super().__init__()
+            begun.append(self)
 
     monkeypatch.setenv("RISORIUS_THREADS", "")
     monkeypatch.setattr(os, "sched_getaffinity", lambda _: {0, 1}, raising=False)
-    monkeypatch.setattr(speaking, "start_connected", start_connected)
+    monkeypatch.setattr(speaking, "Worker", Noted)
     return begun
 
 
@@ -53,11 +51,11 @@ def told_by(
 
 
 def test_take_pictures_and_what_is_told_are_the_same(
-    started: list[subprocess.Popen[bytes]], monkeypatch: pytest.MonkeyPatch
+    started: list[Worker], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     here, *said_here = told_by(lambda progress: speak(**LINE, settings=SMALL, progress=progress))
     beside, *said_beside = told_by(lambda progress: speak_and_prepare(LINE, SMALL, progress))
-    assert [process.returncode for process in started] == [0]
+    assert [worker.is_closed for worker in started] == [True]
     assert said_beside == said_here
     assert said_here[0] == [("Speaking …",)]
     assert (beside.score, beside.settings) == (here.score, here.settings)
@@ -78,7 +76,7 @@ def test_take_pictures_and_what_is_told_are_the_same(
     assert [setup.size for setup in opened[1:]] == [(32, 32)]
 
 
-def test_warnings_are_passed_on(started: list[subprocess.Popen[bytes]], tmp_path: Path) -> None:
+def test_warnings_are_passed_on(started: list[Worker], tmp_path: Path) -> None:
     words = tmp_path / "words.wav"
     speak("Mum put the map by the beam.", text=True).write(words)
     line: dict[str, Any] = {"script": "Mum put the map by the deep blue sea.", "audio": words, "text": True}
@@ -89,7 +87,7 @@ def test_warnings_are_passed_on(started: list[subprocess.Popen[bytes]], tmp_path
     assert len(started) == 1
 
 
-def test_an_error_comes_with_its_place(started: list[subprocess.Popen[bytes]], tmp_path: Path) -> None:
+def test_an_error_comes_with_its_place(started: list[Worker], tmp_path: Path) -> None:
     script = tmp_path / "wrong.xml"
     script.write_text("<nonsense/>")
     errors = []
@@ -100,51 +98,45 @@ def test_an_error_comes_with_its_place(started: list[subprocess.Popen[bytes]], t
         errors.append((str(caught.value), caught.value.place))
     assert errors[0] == errors[1]
     assert errors[0][1] is not None
-    assert [process.returncode for process in started] == [0]
+    assert [worker.is_closed for worker in started] == [True]
 
 
-@pytest.mark.parametrize("program", ["risorius.core.progress", "risorius.none"])
+@pytest.mark.parametrize("task", ["os:_exit", "risorius.none:perform"])
 def test_a_process_that_ends_costs_nothing_but_time(
-    program: str, started: list[subprocess.Popen[bytes]], monkeypatch: pytest.MonkeyPatch
+    task: str, started: list[Worker], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(speaking, "_PROGRAM", program)
+    monkeypatch.setattr(speaking, "_TASK", task)
     take = speak_and_prepare(LINE, SMALL, quiet)
     assert take.score == speak(**LINE, settings=SMALL).score
     assert len(started) == 1
 
 
-def test_it_is_ended_with_the_command(
-    started: list[subprocess.Popen[bytes]], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_it_is_ended_with_the_command(started: list[Worker], monkeypatch: pytest.MonkeyPatch) -> None:
     def interrupted(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(speaking, "_steps", interrupted)
+    monkeypatch.setattr(speaking, "_loaded", interrupted)
     with pytest.raises(KeyboardInterrupt):
         speak_and_prepare(LINE, SMALL, quiet)
-    assert started[0].returncode is not None
+    assert started[0].is_closed
 
 
-def test_a_head_that_cannot_be_loaded_is_told_once(
-    started: list[subprocess.Popen[bytes]], tmp_path: Path
-) -> None:
+def test_a_head_that_cannot_be_loaded_is_told_once(started: list[Worker], tmp_path: Path) -> None:
     (tmp_path / "head.npz").write_bytes(b"none")
     with pytest.raises(HeadError, match="damaged"):
         speak_and_prepare(LINE, Settings(head=str(tmp_path)), quiet)
-    assert [process.returncode for process in started] == [0]
+    assert [worker.is_closed for worker in started] == [True]
 
 
 def test_no_process_is_started_without_a_processor_for_it(
-    started: list[subprocess.Popen[bytes]], monkeypatch: pytest.MonkeyPatch
+    started: list[Worker], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("RISORIUS_THREADS", "1")
     assert speak_and_prepare(LINE, SMALL, quiet).score == speak(**LINE, settings=SMALL).score
     assert not started
 
 
-def test_films_are_spoken_beside_and_other_files_are_not(
-    started: list[subprocess.Popen[bytes]], tmp_path: Path
-) -> None:
+def test_films_are_spoken_beside_and_other_files_are_not(started: list[Worker], tmp_path: Path) -> None:
     assert run(["speak", "Hi.", "-o", str(tmp_path / "x.TextGrid")]) == 0
     assert not started
     small = ["--size", "48x48", "--fps", "5", "--quality", "draft"]

@@ -12,7 +12,7 @@ import pytest
 import risorius
 from risorius.errors import InputError
 
-from .test_pool import SILENT
+from .test_executors import SILENT
 
 ENDS_A_WORKER_OF_RAY = """
 import os, pathlib, signal

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import multiprocessing
 import tempfile
 from concurrent.futures import ProcessPoolExecutor, TimeoutError
@@ -24,33 +23,35 @@ FILMS = {"m4a": "aac", "mp4": "aac", "mov": "pcm_s16le", "webm": "libopus", "mkv
 _MOST = 50_000_000  # bytes of sound that a spoilt film may come to
 
 
-class _Answers:
-    """What the decoder writes: messages, and samples that are counted."""
+class _Told:
+    """What the decoder tells: the sample rate, and samples that are counted."""
 
     def __init__(self) -> None:
-        self.size, self.first = 0, b""
+        self.size, self.rate = 0, 0
 
-    def write(self, data: bytes) -> None:
-        self.first = self.first or data
-        self.size += len(data)
+    def __call__(self, item: int | bytes) -> None:
+        if isinstance(item, int):
+            self.rate = item
+        else:
+            self.size += len(item)
         if self.size > _MOST:
             raise BrokenPipeError
 
 
-def _decoded(path: str, container: str) -> tuple[str, bytes]:
-    """Return what is wrong with a film, "" if nothing is, and the decoder's first message."""
+def _decoded(path: str, container: str) -> tuple[str, int]:
+    """Return what is wrong with a film, "" if nothing is, and the sample rate that was told."""
 
     import av
 
     from risorius.speech.recordings.film_worker import NoSoundError, UnknownSoundError, decode
 
-    answers = _Answers()
+    told = _Told()
     with Path(path).open("rb") as file:
         try:
-            decode(file, container, answers)  # type: ignore[arg-type]
+            decode(told, file, container)
         except (av.FFmpegError, BrokenPipeError, NoSoundError, UnknownSoundError) as error:
-            return str(error) or type(error).__name__, answers.first
-    return "", answers.first
+            return str(error) or type(error).__name__, told.rate
+    return "", told.rate
 
 
 @cache
@@ -64,16 +65,15 @@ def _film(path: Path) -> None:
     if container is None:
         raise InputError("is not a film")
     try:
-        fault, first = _process().submit(_decoded, str(path), container).result(PATIENCE)
+        fault, rate = _process().submit(_decoded, str(path), container).result(PATIENCE)
     except BrokenProcessPool:
         _process.cache_clear()
         raise InputError("the decoder died") from None
     except TimeoutError:
         raise RuntimeError("the decoder hangs") from None
-    if first:
-        assert isinstance(json.loads(first)["rate"], int)
     if fault:
         raise InputError(fault)
+    assert rate > 0
 
 
 def _sample(suffix: str, codec: str) -> bytes:

@@ -21,6 +21,7 @@ from risorius.live.pace import Pace
 from risorius.live.performer import LocalPerformer, Played, perform_sentence
 from risorius.live.seam import SEAM
 from risorius.live.turn import TAIL
+from risorius.machine.workers import WorkerError
 from risorius.rules.emotions import Displays
 from risorius.settings import Settings
 from risorius.speech.engines.espeak import EspeakEngine
@@ -120,7 +121,7 @@ def test_faces_share_processes_and_a_lost_one_is_replaced(monkeypatch: pytest.Mo
 
 def test_where_no_process_can_be_started_it_is_performed_here(monkeypatch: pytest.MonkeyPatch) -> None:
     def refused() -> PerformerProcess:
-        raise OSError("no more processes")
+        raise WorkerError("could not be started: no more processes")
 
     monkeypatch.setattr(beside, "PerformerProcess", refused)
     assert isinstance(beside.Processes().performer(), LocalPerformer)

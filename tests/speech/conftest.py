@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -14,48 +13,40 @@ from risorius.speech import synthesize_line
 from risorius.speech.engines.espeak import EspeakEngine
 
 FAKE = """
-import os, runpy, sys, time
+import importlib.util, os, sys, time
 from pathlib import Path
 
-marker, mode, *rest = Path(sys.argv[1]), *sys.argv[2:]
+marker, mode, worker = Path(MARKER), MODE, WORKER
 starts = len(marker.read_text()) if marker.exists() else 0
 marker.write_text("x" * (starts + 1))
 if mode.endswith("_once") and starts:
     mode = "well"
 if mode.startswith("deaf"):
     time.sleep(600)
-if mode != "well":
-    sys.stdin.readline()
-if mode.startswith("die"):
-    print("all is lost", file=sys.stderr)
-    sys.exit(3)
-if mode.startswith("hang"):
-    time.sleep(600)
-if mode.startswith("garbage"):
-    print("what?", flush=True)
-if mode.startswith("half"):
-    print('{"bytes": 1000}\\\\nabc', end="", flush=True)
-if mode == "well":
-    worker, *folder = rest
-    sys.argv = [worker, *folder]
-    runpy.run_path(worker, run_name="__main__")
+spec = importlib.util.spec_from_file_location("worker", worker)
+module = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(module)
+
+def answer(request):
+    if mode.startswith("die"):
+        print("all is lost", file=sys.stderr)
+        sys.exit(3)
+    if mode.startswith("hang"):
+        time.sleep(600)
+    return module.answer(request)
 """
 
 
 class Misbehaving:
-    """The command of a worker that misbehaves in the way of `mode`, and how often it was started."""
+    """The task of a worker that misbehaves in the way of `mode`, and how often it was started."""
 
     def __init__(self, folder: Path, mode: str) -> None:
         program = folder / "fake_worker.py"
-        program.write_text(FAKE.replace("\\\\n", "\\n"))
         self._marker = folder / "starts"
-        self.command = [
-            sys.executable,
-            str(program),
-            str(self._marker),
-            mode,
-            risorius.speech.engines.worker.__file__,
-        ]
+        worker = risorius.speech.engines.worker.__file__
+        names = f"MARKER, MODE, WORKER = {str(self._marker)!r}, {mode!r}, {worker!r}"
+        program.write_text(names + FAKE)
+        self.task = f"{program}:answer"
 
     @property
     def starts(self) -> int:

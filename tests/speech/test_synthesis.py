@@ -14,9 +14,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.core.utterance import PauseKind, Utterance
-from risorius.core.worker_process import Answer, WorkerProcess
 from risorius.errors import InputError, ParameterError
 from risorius.languages import phonesets
+from risorius.machine.workers import Worker
 from risorius.speech.engines.espeak import EspeakEngine
 from risorius.speech.synthesis import synthesize_line
 
@@ -246,13 +246,13 @@ def test_a_first_text_starts_one_worker_and_asks_it_once_for_the_voices_and_for_
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     asked: list[tuple[int, str]] = []
-    request = WorkerProcess.request
+    call = Worker.call
 
-    def noted(worker: WorkerProcess, message: dict[str, Any], timeout: float) -> Answer:
+    def noted(worker: Worker, task: str, message: dict[str, Any], **options: Any) -> Any:
         asked.append((worker.pid, message["op"]))
-        return request(worker, message, timeout)
+        return call(worker, task, message, **options)
 
-    monkeypatch.setattr(WorkerProcess, "request", noted)
+    monkeypatch.setattr(Worker, "call", noted)
     with EspeakEngine() as engine:
         synthesize_line("Oh, really? I like it very much.", engine=engine)
     assert [op for _, op in asked] == ["voices", "speak", "speak"]

@@ -6,9 +6,9 @@ from collections import deque
 from collections.abc import Iterator
 from typing import Protocol
 
+from ..machine.worker_pool import Lost, WorkerPool
 from .jobs import BatchJob
 from .outcome import Outcome
-from .pool import Lost, WorkerPool
 
 Performed = Iterator[tuple[BatchJob, Outcome]]
 
@@ -79,7 +79,7 @@ class LocalPool:
 
     def __init__(self, processes: int, seconds: float, run: str = "") -> None:
         self._run = run
-        self.pool = WorkerPool("line", processes, seconds)
+        self.pool = WorkerPool("risorius.batches.perform:perform_line", processes, seconds)
         self.pool.start()
 
     @property

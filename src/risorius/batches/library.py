@@ -184,8 +184,8 @@ def pipe(
 
 
 def usual_processes() -> int:
-    """Return how many processes perform lines: one a core; none beside this one on Windows, where a worker
-    cannot be given its connection.
+    """Return how many processes perform lines: one a core; none beside this one on Windows, where
+    workers have not been tried.
     """
     return 0 if sys.platform == "win32" else os.cpu_count() or 1
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-import mmap
+import os
 import tempfile
 import time
 from collections.abc import Iterator
@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import DiskFullError, RisoriusError, warnings_to
+from ..machine.worker_pool import resident
 from .jobs import BatchJob
 from .outcome import Outcome
 from .places import is_remote, make_folder, read_bytes, upload
@@ -49,7 +50,7 @@ def perform_line(job: BatchJob, run: str = "") -> Outcome:
         duration=round(take.duration, 3),
         words=len(take.utterance.words) if take.utterance else 0,
         cpu=round(time.process_time() - start, 4),
-        memory=resident(),
+        memory=resident(os.getpid()),
         outputs=_sizes(job),
         doubt=0.0 if doubt is None else round(doubt.worst, 1),
         doubtful=() if doubt is None else doubt.words,
@@ -179,12 +180,3 @@ def _cache() -> HeadCache:
     from ..take import HeadCache
 
     return HeadCache()
-
-
-def resident() -> int:
-    """Return the bytes of memory that this process holds, 0 where the system does not say."""
-    try:
-        pages = int(Path("/proc/self/statm").read_text().split()[1])
-    except (OSError, ValueError, IndexError):
-        return 0
-    return pages * mmap.PAGESIZE

@@ -1,6 +1,6 @@
 """Jobs on a cluster of machines, by Ray: tasks of many lines, given to another machine if one is lost.
 
-A task performs its lines in a warm process of its own (`pool`), which outlives it: so a line that hangs or
+A task performs its lines in a worker of its own, which outlives it: so a line that hangs or
 ends its process is dealt with there, as on one machine. Files are read and written where the task runs: they
 must be on a disk that all machines share, or elsewhere (`s3://…`). Nothing here is loaded unless it is asked
 for.

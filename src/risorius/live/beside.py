@@ -14,20 +14,15 @@ from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 from weakref import WeakSet
 
-from ..core.processes import LOOK, SilentError, end_connected, patience, start_connected
-from ..errors import RisoriusError
+from ..machine.workers import Worker, WorkerError
 from ..rules.emotions import Displays
 from ..settings import Settings
 from ..speech.engines.registry import is_voice_file
 from .hearing import HeardPhrase
 from .performer import LocalPerformer, Played, TurnPerformer
 from .voice import VoicedPhrase
-from .worker import READY
 
-# Seconds that a request may take: a turn takes less than one.
-_LONGEST = 60.0
-_PROGRAM = "risorius.live.worker"
-_THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
+_TASKS = "risorius.live.worker"
 
 # Faces that share a process before another is started, up to one for each processor; threads that may wait.
 _FACES, _WAITING = 4, 32
@@ -43,53 +38,40 @@ class PerformerProcess:
     """A process that performs one request after the other; it loads what it needs while others perform."""
 
     def __init__(self) -> None:
-        variables = dict.fromkeys(_THREADS, "1")
-        self._process, self._connection = start_connected(_PROGRAM, variables=variables)
+        self._worker = Worker(threads=1)
+        self._worker.send(f"{_TASKS}:warm")
         self._lock = threading.Lock()
-        self._ready = self._lost = False
+        self._ready = False
         atexit.register(self.close)
 
     @property
     def is_lost(self) -> bool:
         """Whether it has ended."""
-        return self._lost
+        return self._worker.is_closed
 
     def ask(self, task: str, *arguments: object) -> Any:
         """Return the answer to a request; raise RisoriusError if that is the answer, LostError if there is
         none, or if it is still loading.
         """
         with self._lock:
-            if self._lost or not self._is_ready():
-                raise LostError
             try:
-                self._connection.send((task, arguments))
-                self._wait()
-                answer = self._connection.recv()
-            except (OSError, EOFError, SilentError):
+                if not self._is_ready():
+                    raise LostError
+                return self._worker.call(f"{_TASKS}:perform", task, *arguments)
+            except WorkerError:
                 self.close()
                 raise LostError from None
-        if isinstance(answer, RisoriusError):
-            raise answer
-        return answer
 
     def _is_ready(self) -> bool:
-        try:
-            if not self._ready and self._connection.poll():
-                self._ready = self._connection.recv() == READY
-        except (OSError, EOFError):
-            self.close()
-        return self._ready and not self._lost
-
-    def _wait(self) -> None:
-        for step in patience(self._process.pid, _LONGEST):
-            if self._connection.poll(step):
-                return
+        if not self._ready and self._worker.has_come():
+            self._worker.answer()
+            self._ready = True
+        return self._ready
 
     def close(self) -> None:
         """End it."""
-        self._lost = True
         atexit.unregister(self.close)
-        end_connected(self._process, self._connection, LOOK if self._ready else 0.0)
+        self._worker.close()
 
 
 class PerformerBeside:
@@ -160,7 +142,7 @@ class Processes:
         self._users = [(process, users) for process, users in self._users if not process.is_lost]
         fewest = min((len(users) for _, users in self._users), default=_FACES)
         if fewest >= _FACES and len(self._users) < (os.cpu_count() or 1):
-            with contextlib.suppress(OSError, ValueError):
+            with contextlib.suppress(WorkerError):
                 self._users.append((PerformerProcess(), WeakSet()))
 
 

@@ -39,11 +39,10 @@ from .messages import (
     StartFace,
     decode,
 )
-from .protocol import is_utf8
 
 LOG = logging.getLogger(__name__)
 # Codes with which a socket closes (RFC 6455, 7.4.1).
-DONE, NOT_UTF8, REFUSED, FAILED, BUSY = 1000, 1007, 1008, 1011, 1013
+DONE, REFUSED, FAILED, BUSY = 1000, 1008, 1011, 1013
 
 
 class GoodbyeError(Exception):
@@ -233,9 +232,6 @@ class LiveClient:
             )
         if text is None:
             raise InputError("the message is not text; expected JSON")
-        if not is_utf8(text):
-            # Whoever reads such a text must close (RFC 6455, 8.1).
-            raise GoodbyeError("the message is not UTF-8; expected JSON", NOT_UTF8)
         return str(text)
 
 

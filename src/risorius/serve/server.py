@@ -32,7 +32,6 @@ from ..web.listening import HOST, bound, server_config
 from . import limits, pages
 from .client import BUSY, Gate, LiveClient
 from .pictures import PictureServer
-from .protocol import LiveProtocol
 
 PORT = 8766
 LOG = logging.getLogger(__name__)
@@ -154,4 +153,4 @@ def listener(options: ServeOptions) -> socket.socket:
 
 def configured(live: LiveServer) -> uvicorn.Config:
     """Return how uvicorn runs it."""
-    return server_config(live.app(), LiveProtocol, limits.MESSAGE)
+    return server_config(live.app(), limits.MESSAGE)

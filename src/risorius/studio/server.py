@@ -59,4 +59,4 @@ def serve(
 
 def configured(studio: Studio) -> uvicorn.Config:
     """Return how uvicorn runs a studio."""
-    return server_config(studio.app(), "websockets-sansio", limits.MESSAGE)
+    return server_config(studio.app(), limits.MESSAGE)

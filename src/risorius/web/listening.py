@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import asyncio
 import socket
-from typing import Literal
 
 import uvicorn
 from starlette.types import ASGIApp
@@ -12,7 +10,6 @@ from starlette.types import ASGIApp
 from ..errors import OutputError
 
 HOST = "127.0.0.1"
-WebSocketProtocol = type[asyncio.Protocol] | Literal["websockets-sansio"]
 
 
 def bound(port: int, host: str = HOST) -> socket.socket:
@@ -32,15 +29,16 @@ def bound(port: int, host: str = HOST) -> socket.socket:
     return made
 
 
-def server_config(app: ASGIApp, protocol: WebSocketProtocol, largest: int) -> uvicorn.Config:
-    """Return how uvicorn runs a server: messages of `largest` bytes at most by a WebSocket `protocol`, no
-    access log.
+def server_config(app: ASGIApp, largest: int) -> uvicorn.Config:
+    """Return how uvicorn runs a server: messages of `largest` bytes at most, no access log.
+
+    A WebSocket on which a text comes that is not UTF-8 is closed with 1007.
     """
     return uvicorn.Config(
         app,
         log_level="warning",
         access_log=False,
-        ws=protocol,
+        ws="websockets-sansio",
         ws_max_size=largest,
         ws_per_message_deflate=False,
         timeout_graceful_shutdown=2,

@@ -2,7 +2,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
@@ -57,9 +56,18 @@ def test_a_picture_of_another_size_or_kind_is_refused(tmp_path: Path) -> None:
         encoder.picture(NOISE[:100])
 
 
+def test_a_sound_may_be_longer_than_its_pictures(tmp_path: Path) -> None:
+    """Answers are read meanwhile: more of them would not fit into the socket."""
+    with VideoEncoder(tmp_path / "x.mp4", (64, 64), Fraction(30), 22_050, 30.0) as encoder:
+        encoder.picture(np.zeros((64, 64, 3), np.uint8))
+        for _ in range(1000):
+            encoder.sound(np.zeros(735, np.int16))
+    assert (tmp_path / "x.mp4").stat().st_size > 0
+
+
 @posix
 def test_a_killed_worker_is_an_error_and_leaves_nothing(tmp_path: Path) -> None:
-    with pytest.raises(OutputError, match="the video encoder died"):
+    with pytest.raises(OutputError, match=r"the video encoder ended without an answer \(signal 9\)"):
         _film(tmp_path / "x.mp4", 500, _at(30, signal.SIGKILL))
     assert list(tmp_path.iterdir()) == []
 
@@ -67,19 +75,8 @@ def test_a_killed_worker_is_an_error_and_leaves_nothing(tmp_path: Path) -> None:
 @posix
 @pytest.mark.parametrize("frames", [1, 500])
 def test_a_hung_worker_is_given_up(tmp_path: Path, frames: int) -> None:
-    started = time.monotonic()
     with pytest.raises(OutputError, match=r"gave no answer within 0\.8 s"):
         _film(tmp_path / "x.mp4", frames, _at(0, signal.SIGSTOP), patience=0.8)
-    assert time.monotonic() - started < 20.0
-    assert list(tmp_path.iterdir()) == []
-
-
-@linux
-def test_a_stopped_worker_is_noticed_long_before_patience_ends(tmp_path: Path) -> None:
-    started = time.monotonic()
-    with pytest.raises(OutputError, match="was stopped by a signal"):
-        _film(tmp_path / "x.mp4", 500, _at(0, signal.SIGSTOP), patience=600.0)
-    assert time.monotonic() - started < 60.0
     assert list(tmp_path.iterdir()) == []
 
 
@@ -126,7 +123,7 @@ def test_a_worker_that_cannot_start_says_why(tmp_path: Path, monkeypatch: pytest
     broken.mkdir()
     (broken / "av.py").write_text("raise ImportError('the encoder is not installed')")
     monkeypatch.setattr(sys, "path", [str(broken), *sys.path])
-    with pytest.raises(OutputError, match=r"exit status 1.*: ImportError: the encoder is not installed"):
+    with pytest.raises(OutputError, match=r"exit code 1\): ImportError: the encoder is not installed"):
         _film(tmp_path / "x.mp4", 5, lambda k, encoder: None)
 
 
@@ -164,10 +161,8 @@ with VideoEncoder(Path(sys.argv[1]), (64, 64), Fraction(30)) as encoder:
         check=False,
     )
     assert done.stdout == "writing\n"
-    deadline = time.monotonic() + 20.0
-    while time.monotonic() < deadline and list(tmp_path.iterdir()):
-        time.sleep(0.05)
-    assert list(tmp_path.iterdir()) == []
+    while list(tmp_path.iterdir()):
+        os.sched_yield()
 
 
 def test_the_encoder_s_library_stays_out_of_the_program(tmp_path: Path) -> None:
@@ -202,8 +197,8 @@ def test_errors_of_the_worker_carry_the_output_s_name(
     (broken / "av.py").write_text("raise ImportError('gone')")
     monkeypatch.setattr(sys, "path", [str(broken), *sys.path])
     with (
-        pytest.warns(RisoriusWarning, match="the video encoder died .*; the film is begun again"),
-        pytest.raises(OutputError, match=r"x\.mp4: the video encoder died"),
+        pytest.warns(RisoriusWarning, match="the video encoder ended .*; the film is begun again"),
+        pytest.raises(OutputError, match=r"x\.mp4: the video encoder ended"),
     ):
         write_targets(take_of(), check_targets([tmp_path / "x.mp4"]), WriteOptions(size=(32, 32)))
     assert sorted(path.name for path in tmp_path.iterdir()) == ["broken"]
@@ -226,7 +221,7 @@ def test_a_film_whose_encoder_is_lost_is_begun_again(
         picture(self, rgb)
 
     monkeypatch.setattr(VideoEncoder, "picture", losing)
-    with pytest.warns(RisoriusWarning, match=r"died \(exit status -9\); the film is begun again"):
+    with pytest.warns(RisoriusWarning, match=r"ended .* \(signal 9\); the film is begun again"):
         write_film(take, path, options, "mp4")
     assert path.read_bytes() == whole
 
@@ -244,5 +239,5 @@ print(*sorted(name for name in sys.modules if name.split(".")[0] in ("risorius",
         text=True,
         check=True,
     )
-    video = [f"risorius.ports.video.{name}" for name in ("codecs", "messages", "slots", "worker")]
+    video = [f"risorius.ports.video.{name}" for name in ("codecs", "setup", "slots", "worker")]
     assert done.stdout.split() == ["risorius", "risorius.ports", "risorius.ports.video", *video]

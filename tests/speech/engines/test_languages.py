@@ -2,7 +2,6 @@
 
 import struct
 import warnings
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,7 +11,7 @@ from risorius.errors import SpeechWarning
 from risorius.languages import language_of
 from risorius.ports.visemes import known_viseme
 from risorius.rules.articulation import is_known
-from risorius.speech.engines.espeak import EspeakEngine, _default_command
+from risorius.speech.engines.espeak import EspeakEngine, _data
 from risorius.speech.engines.espeak_events import render
 from risorius.speech.engines.mnemonics import as_ipa
 from risorius.speech.engines.voices import find_voice
@@ -82,7 +81,7 @@ def test_an_unmapped_phone_is_warned_of(engine: EspeakEngine, monkeypatch: pytes
 
 def _inventory(language: str) -> set[str]:
     """Return the mnemonics of a language's phoneme table, with those of the tables that it extends."""
-    tables = _tables((Path(_default_command()[-1]) / "espeakng_loader/espeak-ng-data/phontab").read_bytes())
+    tables = _tables((_data() / "phontab").read_bytes())
     index = {name: number for number, (name, _, _) in enumerate(tables)}
     codes: dict[int, str] = {}
 

@@ -1,62 +1,50 @@
-"""The worker program, spoken to as it is: one JSON line in, one JSON line and sound out."""
+"""The task that speaks, asked as the engine asks it."""
 
 from __future__ import annotations
 
-import json
 import subprocess
 import sys
+from collections.abc import Iterator
+from typing import Any
 
 import pytest
 
+from risorius.machine.workers import Worker
 from risorius.speech.engines import worker as worker_module
 
 
 @pytest.fixture
-def worker():
-    with subprocess.Popen(
-        [sys.executable, worker_module.__file__],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-    ) as process:
-        yield process
-        process.stdin.close()
+def worker() -> Iterator[Worker]:
+    with Worker() as worker:
+        yield worker
 
 
-def ask(worker, line: str):
-    worker.stdin.write(line.encode() + b"\n")
-    worker.stdin.flush()
-    answer = json.loads(worker.stdout.readline())
-    return answer, worker.stdout.read(answer["bytes"])
+def ask(worker: Worker, request: object) -> tuple[dict[str, Any], bytes]:
+    answer, sound = worker.call(f"{worker_module.__file__}:answer", request)
+    return answer, sound
 
 
-def test_bad_requests_are_answered_and_survived(worker) -> None:
-    for line in (
-        "",
-        "no JSON",
-        "[]",
-        "{}",
-        '{"op": "sing"}',
-        '{"op": "speak"}',
-        '{"op": "speak", "text": 5, "voice": "en-us"}',
-        '{"op": "speak", "text": "a", "voice": "xx"}',
-        '{"op": "transcribe", "voice": "en-us"}',
+def test_bad_requests_are_answered_and_survived(worker: Worker) -> None:
+    for request in (
+        [],
+        {},
+        {"op": "sing"},
+        {"op": "speak"},
+        {"op": "speak", "text": 5, "voice": "en-us"},
+        {"op": "speak", "text": "a", "voice": "xx"},
+        {"op": "transcribe", "voice": "en-us"},
     ):
-        answer, sound = ask(worker, line)
+        answer, sound = ask(worker, request)
         assert answer["error"]
         assert sound == b""
-    answer, sound = ask(worker, json.dumps({"op": "speak", "text": "Well.", "voice": "en-us"}))
-    assert answer["bytes"] == len(sound) > 10_000
+    answer, sound = ask(worker, {"op": "speak", "text": "Well.", "voice": "en-us"})
+    assert len(sound) > 10_000
     assert [name for _, name, _ in answer["phones"]][:3] == ["w", "'E", "l"]
 
 
-def test_the_end_of_input_ends_it(worker) -> None:
-    worker.stdin.close()
-    assert worker.wait(timeout=5) == 0
-
-
-def test_positions_are_those_of_the_words(worker) -> None:
+def test_positions_are_those_of_the_words(worker: Worker) -> None:
     text = "naïve 😀 map"
-    answer, _ = ask(worker, json.dumps({"op": "speak", "text": text, "voice": "en-us", "ipa": True}))
+    answer, _ = ask(worker, {"op": "speak", "text": text, "voice": "en-us", "ipa": True})
     places = {name: position for _, name, position in answer["phones"]}
     assert places["v"] == 0
     assert places["m"] == text.index("map")

@@ -27,7 +27,7 @@ spec.loader.exec_module(worker)
 
 
 def spoken(text, rate):
-    answer, sound = worker.Worker(*worker._locate()).answer(
+    answer, sound = worker.answer(
         {{"op": "speak", "text": text, "voice": "gmw/en-US+m3", "rate": rate}}
     )
     return answer["sample_rate"], sound

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
+import os
 import signal
-import sys
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
 
 import av
 import numpy as np
 import pytest
 
-from risorius.core import processes
 from risorius.errors import InputError, Place
 from risorius.speech.recordings import film_sound
 from risorius.speech.recordings.film_sound import FilmSound, container_of
@@ -107,21 +105,6 @@ def test_a_decoder_that_says_nothing_is_given_up(tmp_path: Path, monkeypatch: py
 def test_a_decoder_that_dies_is_told(tmp_path: Path) -> None:
     path = film(tmp_path / "x.m4a", "aac")
     with FilmSound(path, "mov", Place(str(path))) as sound:
-        sound._process.kill()
-        with pytest.raises(InputError, match=r"x\.m4a: cannot be .*the decoder died, exit status -9"):
+        os.kill(sound._worker.pid, signal.SIGKILL)
+        with pytest.raises(InputError, match=r"x\.m4a: cannot be .*the decoder ended .*\(signal 9\)"):
             list(sound.blocks())
-
-
-@pytest.mark.skipif(sys.platform != "linux", reason="needs Linux")
-def test_a_decoder_that_stands_still_is_told_in_seconds(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    path, start = film(tmp_path / "x.m4a", "aac"), processes.start
-
-    def stopped(*arguments: Any, **options: Any) -> Any:
-        process = start(*arguments, **options)
-        process.send_signal(signal.SIGSTOP)
-        return process
-
-    monkeypatch.setattr(processes, "start", stopped)
-    assert "was stopped by a signal and does not go on" in refusal(path)

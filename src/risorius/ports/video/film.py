@@ -19,8 +19,8 @@ from .encoder import LostEncoderError, VideoEncoder
 def write_film(take: WritableTake, path: Path, options: WriteOptions, codec: str) -> None:
     """Write all frames at `options.size`, with the take's sound if it has one.
 
-    `codec` is a name of `codecs.CODECS`. An encoder that dies or stands still is replaced once, and the film
-    begun again. Raises OutputError if the encoder fails, OSError for a fault of the disk.
+    `codec` is a name of `codecs.CODECS`. An encoder that dies or gives no answer is replaced once, and the
+    film begun again. Raises OutputError if the encoder fails, OSError for a fault of the disk.
     """
     lost = ""
     try:

@@ -13,7 +13,7 @@ from contextlib import suppress
 from pathlib import Path
 
 _IN_MEMORY = "/dev/shm"
-"""Where the file is made if there is room, else in the system's folder of temporary files."""
+"""The file's folder if there is room in it, else the system's folder of temporary files."""
 
 
 class Slots:

@@ -1,20 +1,15 @@
-"""The video encoder, in a process of its own: `python -m risorius.ports.video.worker`.
+"""The video encoder, which a worker (`machine.workers`) runs: pictures and sound in, a film out (`codecs`).
 
-Reads pictures and sound from standard input (`messages`) and writes a film (`codecs`). A separate
-process because the encoder's library brings GPL code, may crash, and should work while the next picture is
-drawn.
+A process of its own because the encoder's library brings GPL code, may crash, and should work while the next
+picture is drawn. A picture's bytes stand in memory that both processes map (`slots`).
 """
 
 from __future__ import annotations
 
-import io
-import json
-import os
-import signal
-import sys
-from collections.abc import Callable
+import atexit
 from contextlib import suppress
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 
 import av
@@ -22,8 +17,8 @@ import numpy as np
 import numpy.typing as npt
 from av.video.reformatter import VideoReformatter
 
-from . import messages
 from .codecs import CODECS, Codec
+from .setup import SLOTS, FilmSetup
 from .slots import map_slots
 
 # The same number on every machine: the encoder's output depends on it.
@@ -38,14 +33,13 @@ Bytes = npt.NDArray[np.uint8]
 class Film:
     """A film in the making: pictures at k/fps, sound from t = 0.
 
-    `taken` is called when a picture has been copied from its slot.
+    If the process ends before the film does, its half-written file is removed.
     """
 
-    def __init__(self, setup: messages.Setup, taken: Callable[[], object]) -> None:
+    def __init__(self, setup: FilmSetup) -> None:
         self._codec = codec = CODECS[setup.codec]
         self._options = {**codec.options, **(codec.draft_options if setup.draft else {})}
-        self._slots = np.frombuffer(map_slots(setup.memory), np.uint8).reshape(messages.SLOTS, -1)
-        self._taken = taken
+        self._slots = np.frombuffer(map_slots(setup.memory), np.uint8).reshape(SLOTS, -1)
         self._size = (setup.width, setup.height)
         self._given = setup.pixels
         alpha = codec.alpha_pixels if setup.pixels == "rgba" else None
@@ -53,6 +47,8 @@ class Film:
         self._fps = Fraction(setup.fps)
         self._pictures = 0
         self._reformat = VideoReformatter()
+        self._path = setup.path
+        atexit.register(self._remove)
         self._container = av.open(
             setup.path, "w", format=codec.container, options=dict(codec.container_options)
         )
@@ -70,10 +66,9 @@ class Film:
         context.color_range = LIMITED_RANGE
         return stream
 
-    def picture(self, data: bytearray) -> None:
+    def picture(self, number: int) -> None:
         """Add the next picture, which stands in the slot of that number."""
-        frame = self._in_form(self._slots[data[0]])
-        self._taken()
+        frame = self._in_form(self._slots[number])
         # ProRes writes what each picture says of itself.
         frame.color_primaries = frame.color_trc = BT709
         frame.pts = self._pictures
@@ -97,7 +92,7 @@ class Film:
             interpolation="BILINEAR",
         )
 
-    def sound(self, data: bytearray) -> None:
+    def sound(self, data: bytes) -> None:
         """Add sound: 16-bit little-endian mono samples."""
         if self._sound is None:
             raise ValueError("sound came for a silent film")
@@ -109,6 +104,12 @@ class Film:
         if self._sound is not None:
             self._sound.finish()
         self._container.close()
+        atexit.unregister(self._remove)
+
+    def _remove(self) -> None:
+        # The program died, and so cannot remove what is half written.
+        with suppress(OSError):
+            Path(self._path).unlink()
 
 
 class Sound:
@@ -139,47 +140,21 @@ class Sound:
         self._container.mux(self._stream.encode(None))
 
 
-def encode(pipe: io.RawIOBase, taken: Callable[[], object]) -> None:
-    """Encode one film, from its setup to its end."""
-    _, payload = messages.receive(pipe)
-    setup = messages.Setup.decode(payload)
+def encode(setup: FilmSetup, what: str, *arguments: int | bytes) -> tuple[str, int | None] | None:
+    """Do a step of a film: "open" it, add a "picture" or "sound", or "finish" it.
+
+    Returns None, or what went wrong and the number of the system's error, if it is one.
+    """
     try:
-        film = Film(setup, taken)
-        handle = {messages.PICTURE: film.picture, messages.SOUND: film.sound}
-        kind, payload = messages.receive(pipe)
-        while kind != messages.END:
-            handle[kind](payload)
-            kind, payload = messages.receive(pipe)
-        film.finish()
-    except EOFError:
-        # The program died, and so cannot remove what is half written.
-        with suppress(OSError):
-            Path(setup.path).unlink()
-        raise
-
-
-def _reason(error: Exception) -> dict[str, object]:
-    text = getattr(error, "strerror", None) or str(error) or type(error).__name__
-    return {"error": text, "errno": getattr(error, "errno", None)}
-
-
-def main() -> int:
-    """Encode what comes on standard input; answer on standard output."""
-    # An interrupt reaches the whole group; the program decides what becomes of this process.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    answer = os.dup(1)
-    os.dup2(2, 1)
-    try:
-        with open(0, "rb", buffering=0) as pipe:
-            encode(pipe, lambda: os.write(answer, messages.TAKEN))
-    except EOFError:
-        return 1
+        film = _film(setup)
+        if what != "open":
+            getattr(film, what)(*arguments)
     except Exception as error:
-        os.write(answer, json.dumps(_reason(error)).encode())
-        return 1
-    os.write(answer, b"{}")
-    return 0
+        text = getattr(error, "strerror", None) or str(error) or type(error).__name__
+        return text, getattr(error, "errno", None)
+    return None
 
 
-if __name__ == "__main__":
-    sys.exit(main())
+@cache
+def _film(setup: FilmSetup) -> Film:
+    return Film(setup)

@@ -1,10 +1,7 @@
-"""The program that aligns and recognizes: pocketsphinx in a process of its own, driven over pipes.
+"""The task that aligns and recognizes: pocketsphinx, in a worker (`machine.workers`).
 
-Run as `python aligner_worker.py [FOLDER]`, with the folder that holds pocketsphinx where it is not on
-Python's path. Each request is one line of JSON on standard input, followed by `bytes` raw bytes of sound
-(16 kHz, 16-bit little-endian); each answer is one line of JSON. End of input ends the program. It imports
-nothing of Risorius, so that it starts fast. The library is in C: in a process of its own, what breaks or
-delays it breaks or delays no more than one recording.
+It imports nothing of Risorius, so that it starts fast. The library is in C: in a process of its own, what
+breaks or delays it breaks or delays no more than one recording.
 
 Requests, by `op`: `align` and `follow` (readings: of each word in order, its readings, each a list of
 phones), `hear`, `name_words`, `name_phones`. Answers: `segments`, each [name, first frame, last frame]; for
@@ -17,13 +14,9 @@ All but `hear` have a decoder of their own, made when first needed, which adapts
 
 from __future__ import annotations
 
-import json
-import os
-import signal
-import sys
 from collections.abc import Sequence
-from functools import cached_property
-from typing import TYPE_CHECKING, Any, BinaryIO
+from functools import cache, cached_property
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from pocketsphinx import Decoder
@@ -148,25 +141,11 @@ def _decode(decoder: Decoder, sound: bytes) -> None:
     decoder.end_utt()
 
 
-def serve(worker: AlignerWorker, requests: BinaryIO, out: BinaryIO) -> None:
-    """Answer requests until their end."""
-    for line in requests:
-        request = json.loads(line)
-        sound = requests.read(int(request.get("bytes", 0)))
-        out.write(json.dumps(worker.answer(request, sound)).encode() + b"\n")
-        out.flush()
+def answer(request: dict[str, Any], sound: bytes) -> dict[str, Any]:
+    """Meet a request about a sound (16 kHz, 16-bit little-endian) with the decoders of this process."""
+    return _worker().answer(request, sound)
 
 
-def main() -> None:
-    """Serve over this process' standard input and output."""
-    # Ctrl-C reaches the whole process group; the end of input is what ends a worker.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    out = os.fdopen(os.dup(1), "wb")
-    # Whatever the library prints must not get between the answers.
-    os.dup2(2, 1)
-    sys.path += sys.argv[1:]
-    serve(AlignerWorker(), sys.stdin.buffer, out)
-
-
-if __name__ == "__main__":
-    main()
+@cache
+def _worker() -> AlignerWorker:
+    return AlignerWorker()

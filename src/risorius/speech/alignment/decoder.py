@@ -8,7 +8,6 @@ exact silence, which no model has heard, from ending the search early.
 from __future__ import annotations
 
 import importlib.util
-import sys
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
@@ -19,8 +18,8 @@ import numpy as np
 
 from ...core.arrays import Array
 from ...core.utterance import SILENCE
-from ...core.worker_process import WorkerError, WorkerProcess
 from ...errors import SpeechError
+from ...machine.workers import Worker, WorkerError
 from ..recordings.resampled import RATE
 
 # The language of the model, and of its dictionary.
@@ -33,6 +32,8 @@ _NOISE = 10.0
 # Seconds after which an answer is given up: to start with, and for each second of the sound. The slowest
 # request, a transcript that does not fit, takes a tenth of the latter.
 PATIENCE, PATIENCE_PER_SECOND = 60.0, 10.0
+
+_TASK = f"{Path(__file__).with_name('aligner_worker.py')}:answer"
 
 Reading = tuple[str, ...]
 Readings = tuple[Reading, ...]
@@ -119,26 +120,29 @@ class _Process:
     """An aligner's process, started when it is first needed."""
 
     def __init__(self) -> None:
-        self._worker: WorkerProcess | None = None
+        self._worker: Worker | None = None
         self._failed = False
 
     def ask(self, op: str, sound: Array, words: Sequence[Readings] = ()) -> dict[str, Any]:
         """Return the answer to a request; raise WorkerError if the worker fails, now or before."""
         if self._failed:
-            raise WorkerError("it has ended")
+            raise WorkerError("has ended")
         if self._worker is None:
-            self._worker = WorkerProcess(_command())
-        patience = PATIENCE + PATIENCE_PER_SECOND * len(sound) / RATE
+            _package()  # raises an error if it is not there
+            self._worker = Worker()
+        seconds = PATIENCE + PATIENCE_PER_SECOND * len(sound) / RATE
+        request = {"op": op, "readings": words}
         try:
-            return self._worker.request({"op": op, "readings": words}, patience, _prepared(sound))[0]
+            answer: dict[str, Any] = self._worker.call(_TASK, request, _prepared(sound), seconds=seconds)
         except WorkerError:
             self._failed = True
             raise
+        return answer
 
     def end(self) -> None:
         """End it."""
         if self._worker is not None:
-            self._worker.kill()
+            self._worker.close()
 
 
 class _Turns:
@@ -194,17 +198,12 @@ def with_decoders(work: Callable[[Decoders], T]) -> T:
             with Decoders() as decoders:
                 return work(decoders)
         except WorkerError as error:
-            raise SpeechError(f"the aligner failed twice in a row; the second time {error}") from error
+            raise SpeechError(f"the aligner failed twice in a row; the second time it {error}") from error
 
 
 def dictionary_path() -> Path:
     """Return the path of the pronunciation dictionary that comes with the model (CMUdict)."""
     return _package() / "pocketsphinx" / "model" / "en-us" / "cmudict-en-us.dict"
-
-
-def _command() -> list[str]:
-    worker = Path(__file__).with_name("aligner_worker.py")
-    return [sys.executable, "-I", "-S", str(worker), str(_package())]
 
 
 def _package() -> Path:

@@ -1,12 +1,9 @@
-"""espeak-ng as a speech engine: the client of `worker.py`, which is the only program to load the library."""
+"""espeak-ng as a speech engine: it asks a process with `worker.py`, which alone loads the library."""
 
 from __future__ import annotations
 
-import atexit
 import functools
 import importlib.util
-import os
-import sys
 import threading
 from collections.abc import Sequence
 from pathlib import Path
@@ -15,9 +12,9 @@ from typing import Any
 import numpy as np
 
 from ...core.directions import DirectedSpan
-from ...core.worker_process import Answer, WorkerError, WorkerProcess
 from ...errors import SpeechError
 from ...languages import language_of
+from ...machine.workers import LastingWorker, WorkerError
 from .espeak_events import needs_ipa, read_word, render
 from .espeak_text import Encoded, encode, parameters, voice_attribute
 from .espeak_tones import tones_of
@@ -27,28 +24,30 @@ from .registry import ENGINES
 from .voices import find_voice
 
 WORD_CACHE = 20_000
+_TASK = f"{Path(__file__).with_name('worker.py')}:answer"
+
+Answer = tuple[dict[str, Any], bytes]
 
 
 class EspeakEngine:
-    """Speaks through one worker process, started when first needed.
+    """Speaks through one worker, started when first needed.
 
     A worker that dies, or gives no answer within `seconds` + `seconds_per_character` · (length of the text),
-    is replaced once and the request repeated; when that fails too, SpeechError is raised. `command` runs the
-    worker.
+    is replaced once and the request repeated; when that fails too, SpeechError is raised. `task` is what the
+    worker does.
     """
 
     def __init__(
         self,
-        command: Sequence[str] | None = None,
+        task: str = _TASK,
         seconds: float = 10.0,
         seconds_per_character: float = 0.02,
     ) -> None:
-        self._command = command
+        self._task = task
         self._seconds = seconds
         self._seconds_per_character = seconds_per_character
         self._lock = threading.RLock()
-        self._worker: WorkerProcess | None = None
-        self._owner = os.getpid()
+        self._worker = LastingWorker()
         self._voices: tuple[Voice, ...] = ()
         self._words: dict[tuple[str, str], tuple[str, ...]] = {}
 
@@ -93,11 +92,7 @@ class EspeakEngine:
 
     def close(self) -> None:
         """End the worker; a later call starts another."""
-        with self._lock:
-            if self._worker is not None and self._owner == os.getpid():
-                self._worker.close()
-            self._worker = None
-        atexit.unregister(self.close)
+        self._worker.close()
 
     def __enter__(self) -> EspeakEngine:
         return self
@@ -135,42 +130,22 @@ class EspeakEngine:
             self._words[voice.key, word] = read_word(names, ipa, language_of(voice.language))
 
     def _request(self, message: dict[str, Any], characters: int) -> Answer:
-        timeout = self._seconds + self._seconds_per_character * characters
-        with self._lock:
-            try:
-                answer, data = self._running().request(message, timeout)
-            except WorkerError:
-                self._worker = None
-                answer, data = self._repeat(message, timeout)
+        _package()  # raises an error if it is not there
+        seconds = self._seconds + self._seconds_per_character * characters
+        try:
+            answer, data = self._worker.call(self._task, message, seconds=seconds)
+        except WorkerError as error:
+            reason = f"the speech worker failed twice in a row; the second time it {error}"
+            raise SpeechError(reason) from error
         if "error" in answer:
             raise SpeechError(f"espeak-ng: {answer['error']}")
         return answer, data
-
-    def _repeat(self, message: dict[str, Any], timeout: float) -> Answer:
-        try:
-            return self._running().request(message, timeout)
-        except WorkerError as error:
-            self._worker = None
-            raise SpeechError(f"the speech worker failed twice in a row; the second time {error}") from error
-
-    def _running(self) -> WorkerProcess:
-        # A fork inherits the pipes of its parent's worker; it must not talk into them.
-        if self._worker is None or self._owner != os.getpid():
-            self._owner = os.getpid()
-            self._worker = WorkerProcess(self._command or _default_command())
-            atexit.unregister(self.close)
-            atexit.register(self.close)
-        return self._worker
 
 
 def _speaks_mnemonics(voice: Voice) -> bool:
     """Tell whether the mnemonics of a voice's sounds are known, so that their IPA is not needed."""
     table = language_of(voice.language).mnemonics
     return bool(table.voice) and table.voice == voice.language
-
-
-def _default_command() -> list[str]:
-    return [sys.executable, "-I", "-S", str(Path(__file__).with_name("worker.py")), str(_package())]
 
 
 def _package() -> Path:

@@ -16,10 +16,10 @@ from typing import Any
 
 import numpy as np
 
-from ...core import processes
 from ...core.json_text import load_json
 from ...core.paths import is_file
 from ...errors import InputError, Place, SpeechError
+from ...machine import programs
 from .program import LONGEST_ANSWER, ProgramEngine, referred
 from .protocol import Rendition, SpeechEngine, SpeechRequest
 from .reference import warped
@@ -52,8 +52,8 @@ class PiperEngine(ProgramEngine):
 
     def _say(self, command: list[str], text: str) -> None:
         try:
-            finished = processes.run(command, text.encode() + b"\n", SECONDS, LONGEST_ANSWER)
-        except (OSError, processes.SilentError, processes.TooLongError) as error:
+            finished = programs.run(command, text.encode() + b"\n", SECONDS, LONGEST_ANSWER)
+        except (OSError, programs.ProgramError) as error:
             raise self._fault(f"Piper failed: {error}") from None
         if finished.status:
             raise self._fault(f"Piper failed with exit code {finished.status}: {finished.complaint}")

@@ -18,12 +18,12 @@ from typing import Any
 
 import numpy as np
 
-from ...core import processes
 from ...core.audio import Samples
 from ...core.depth import TOO_DEEP, is_too_deep
 from ...core.utterance import SILENCE
 from ...errors import SpeechError, SpeechWarning, warn
 from ...languages import language_of, phonesets
+from ...machine import programs
 from ...rules.articulation import is_known
 from .mnemonics import to_arpabet
 from .protocol import Rendition, SpeechEngine, SpeechRequest, SpokenPhone, Voice
@@ -83,10 +83,10 @@ class ProgramEngine:
     def _run(self, message: Mapping[str, Any]) -> bytes:
         data = json.dumps(message).encode() + b"\n"
         try:
-            finished = processes.run(self._command, data, SECONDS, LONGEST_ANSWER)
+            finished = programs.run(self._command, data, SECONDS, LONGEST_ANSWER)
         except OSError as error:
             raise self._fault(f"cannot be started: {error.strerror}") from None
-        except (processes.SilentError, processes.TooLongError) as error:
+        except programs.ProgramError as error:
             raise self._fault(str(error)) from None
         if finished.status:
             raise self._fault(f"failed with exit code {finished.status}: {finished.complaint}".rstrip(": "))

@@ -1,10 +1,7 @@
-"""The program that speaks: espeak-ng in a process of its own, driven over pipes.
+"""The task that speaks: espeak-ng, in a worker (`machine.workers`).
 
-Run as `python worker.py [FOLDER]`, with the folder that holds espeakng_loader where it is not on Python's
-path, or as `python -m risorius.speech.engines.worker`. Each request is one line of JSON on standard input;
-each answer is one line of JSON on standard output, followed by `bytes` raw bytes of sound (16-bit
-little-endian). End of input ends the program. It needs the standard library alone, so that it starts fast,
-and it imports nothing of Risorius: espeak-ng is GPL and must share no process with the rest.
+It needs the standard library alone, so that it starts fast, and imports nothing of Risorius: espeak-ng is GPL
+and must share no process with the rest.
 
 Requests, by `op`: `speak` (text, voice, rate, pitch, range, volume, ipa, end_pause, markup, dictated),
 `transcribe` (texts, voice, ipa), `voices`. `markup`: the text is SSML. `dictated`: what stands in `[[ ]]` are
@@ -15,13 +12,11 @@ from __future__ import annotations
 
 import _ctypes
 import ctypes
-import json
 import os
-import signal
-import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Any, BinaryIO
+from functools import cache
+from typing import Any
 
 SYNCHRONOUS = 2
 PHONEME_EVENTS, IPA_NAMES, NO_EXIT = 0x1, 0x2, 0x8000
@@ -180,7 +175,7 @@ def _languages(address: int) -> list[str]:
     return voices
 
 
-class Worker:
+class EspeakWorker:
     """Answers requests with a library loaded anew for each, so that equal requests give equal bytes."""
 
     def __init__(self, library: str, data: str) -> None:
@@ -227,42 +222,19 @@ class Worker:
             return espeak.sample_rate, *espeak.speak(request["text"], flags)
 
 
-def _reply(out: BinaryIO, answer: dict[str, Any], sound: bytes = b"") -> None:
-    out.write(json.dumps(answer | {"bytes": len(sound)}).encode() + b"\n")
-    out.write(sound)
-    out.flush()
+def answer(request: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
+    """Return the answer to a request and its sound (16-bit little-endian), or the `error` that it meets."""
+    try:
+        return _worker().answer(request)
+    except RequestError as error:
+        return {"error": str(error)}, b""
+    except Exception as error:
+        # Whatever a request breaks, the next one may be sound.
+        return {"error": f"{type(error).__name__}: {error}"}, b""
 
 
-def serve(worker: Worker, requests: BinaryIO, out: BinaryIO) -> None:
-    """Answer requests until their end."""
-    for line in requests:
-        try:
-            answer, sound = worker.answer(json.loads(line))
-        except RequestError as error:
-            _reply(out, {"error": str(error)})
-        except Exception as error:
-            # Whatever a request breaks, the next one may be sound.
-            _reply(out, {"error": f"{type(error).__name__}: {error}"})
-        else:
-            _reply(out, answer, sound)
-
-
-def _locate() -> tuple[str, str]:
+@cache
+def _worker() -> EspeakWorker:
     import espeakng_loader
 
-    return espeakng_loader.get_library_path(), espeakng_loader.get_data_path()
-
-
-def main() -> None:
-    """Serve over this process' standard input and output."""
-    # Ctrl-C reaches the whole process group; the end of input is what ends a worker.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    out = os.fdopen(os.dup(1), "wb")
-    # Whatever the library prints must not get between the answers.
-    os.dup2(2, 1)
-    sys.path += sys.argv[1:]
-    serve(Worker(*_locate()), sys.stdin.buffer, out)
-
-
-if __name__ == "__main__":
-    main()
+    return EspeakWorker(espeakng_loader.get_library_path(), espeakng_loader.get_data_path())

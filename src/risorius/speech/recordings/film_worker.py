@@ -1,16 +1,12 @@
-"""The decoder of films' sound, in a process of its own: `python -m … film_worker FILE CONTAINER`.
+"""The decoder of films' sound, which a worker (`machine.workers`) runs.
 
-It answers on standard output: a line of JSON with the sound's `rate`, then lines with a number of `bytes` and
-so many bytes, 32-bit float samples of which the channels are averaged, and at the end a line `{}`; or a line
-with an `error`, at any point. A separate process because the decoder's library brings GPL code and may crash.
+A process of its own because the decoder's library brings GPL code and may crash. It imports nothing of
+Risorius.
 """
 
 from __future__ import annotations
 
-import json
-import os
-import signal
-import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import IO
 
@@ -26,8 +22,10 @@ class UnknownSoundError(Exception):
     """The file's sound is of a kind that the library does not know."""
 
 
-def decode(file: IO[bytes], container: str, out: IO[bytes]) -> None:
-    """Write the first sound of a file of a container (`mov`, `matroska` …) as messages.
+def decode(tell: Callable[[int | bytes], object], file: IO[bytes], container: str) -> None:
+    """Tell the sample rate of a file's first sound, then its blocks. `container`: `mov`, `matroska` ….
+
+    A block's bytes are samples (32-bit float, little-endian) of which the channels are averaged.
 
     The container is told by the file's first bytes and is not left to the library, some of whose formats open
     other files and addresses.
@@ -38,36 +36,20 @@ def decode(file: IO[bytes], container: str, out: IO[bytes]) -> None:
         stream = film.streams.audio[0]
         if stream.codec_context is None:
             raise UnknownSoundError("its sound is of an unknown kind")
-        _say(out, {"rate": stream.rate})
+        tell(stream.rate)
         resampler = av.AudioResampler(format="fltp", rate=stream.rate)
         for frame in film.decode(stream):
             for plain in resampler.resample(frame):
                 samples = plain.to_ndarray().mean(axis=0, dtype=np.float32)
-                _say(out, {"bytes": samples.nbytes})
-                out.write(samples.astype("<f4", copy=False).tobytes())
-    _say(out, {})
+                tell(samples.astype("<f4", copy=False).tobytes())
 
 
-def _say(out: IO[bytes], message: dict[str, object]) -> None:
-    out.write(json.dumps(message).encode() + b"\n")
-
-
-def main() -> int:
-    """Decode the file that the first argument names, of the container that the second one names."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the program decides what becomes of this process
-    answer = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)
+def read(tell: Callable[[int | bytes], object], path: str, container: str) -> tuple[str, bool] | None:
+    """Decode a file as `decode` does. Returns None, or what went wrong and whether the file has no sound."""
     try:
-        with Path(sys.argv[1]).open("rb") as file:
-            decode(file, sys.argv[2], answer)
-    except BrokenPipeError:
-        return 1  # the program is gone, or has heard enough
+        with Path(path).open("rb") as file:
+            decode(tell, file, container)
     except Exception as error:
         text = getattr(error, "strerror", None) or str(error) or type(error).__name__
-        _say(answer, {"error": text, "silent": isinstance(error, NoSoundError)})
-    answer.close()
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+        return text, isinstance(error, NoSoundError)
+    return None

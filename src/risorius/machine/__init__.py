@@ -1,0 +1,1 @@
+"""Machinery below the package's work on faces: other processes, compiled kernels."""

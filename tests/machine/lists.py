@@ -1,0 +1,7 @@
+"""A task that loads nothing itself."""
+
+import sys
+
+
+def modules() -> list[str]:
+    return sorted(sys.modules)
