@@ -8,14 +8,14 @@ const BROWSER = [
   "clearTimeout", "clearInterval", "console", "createImageBitmap", "crypto", "devicePixelRatio", "document", "fetch",
   "getComputedStyle", "history", "innerHeight", "innerWidth", "localStorage", "location", "matchMedia", "navigator",
   "performance", "requestAnimationFrame", "requestIdleCallback", "sessionStorage", "setInterval", "setTimeout", "window",
-  "AudioBufferSourceNode", "AudioContext", "EventTarget", "File", "MediaRecorder", "Option", "btoa", "structuredClone", "CanvasRenderingContext2D", "queueMicrotask", "confirm",
+  "AudioBufferSourceNode", "AudioContext", "EventTarget", "File", "MediaRecorder", "Option", "btoa", "structuredClone", "CanvasRenderingContext2D", "queueMicrotask", "confirm", "Buffer", "TextEncoder", "setImmediate",
 ]; // prettier-ignore
 
 export default [
-  { ignores: ["**/vendor/", "tests/", "node_modules/", ".venv/", "docs/", "examples/", "build/"] },
+  { ignores: ["**/vendor/", "tests/ports/", "tests/studio/", "node_modules/", ".venv/", "docs/", "examples/", "build/"] },
   js.configs.recommended,
   {
-    files: ["src/risorius/**/*.js"],
+    files: ["src/risorius/**/*.js", "tests/browser/*.js"],
     languageOptions: { sourceType: "module", globals: Object.fromEntries(BROWSER.map((name) => [name, "readonly"])) },
     linterOptions: { reportUnusedDisableDirectives: "error" },
     rules: {

@@ -56,7 +56,7 @@ def pages() -> dict[str, str]:
 
 def players() -> Iterator[tuple[str, bytes]]:
     """Yield the name and content of each page of the gallery that plays a performance: see gallery.md."""
-    for line in _commands_of("gallery.md"):
+    for line in commands_of("gallery.md"):
         with tempfile.TemporaryDirectory() as folder:
             *arguments, name = shlex.split(line)[1:]
             file = Path(folder) / name
@@ -65,7 +65,7 @@ def players() -> Iterator[tuple[str, bytes]]:
             yield f"gallery/{name}", file.read_bytes()
 
 
-def _commands_of(page: str) -> list[str]:
+def commands_of(page: str) -> list[str]:
     """Return the commands of the blocks of a page, which end in the name of what they write."""
     text = (ROOT / "docs" / page).read_text(encoding="utf-8")
     return re.findall(r"^(risorius .* -o [\w.]+)$", text, re.MULTILINE)

@@ -20,6 +20,7 @@ from risorius.errors import UnreadError
 from risorius.ports.formats import FORMATS, FileFormat, format_for
 from risorius.settings import Settings
 from risorius.unread import refuse_unwritten
+from tests.collected import all_cases
 from tests.profiles import everyday, samples
 
 ROOT = Path(__file__).parent.parent
@@ -37,6 +38,10 @@ SAVED = re.compile(r"`(\w+\.toml)`:\n```toml\n(.*?)^```", re.DOTALL | re.MULTILI
 
 def blocks(page: Path, language: str) -> list[str]:
     return [text for name, text in BLOCK.findall(page.read_text()) if name == language]
+
+
+def pages_with(language: str) -> list[Path]:
+    return [page for page in PAGES if blocks(page, language)]
 
 
 @pytest.fixture
@@ -78,7 +83,7 @@ DRAWN = {"formats.md", "looks.md", "recordings.md", "start.md"}
 
 
 @pytest.mark.parametrize(
-    "page", everyday(PAGES, [p for p in PAGES if p.name not in DRAWN]), ids=lambda p: p.name
+    "page", everyday(pages_with("sh"), [p for p in PAGES if p.name not in DRAWN]), ids=lambda p: p.name
 )
 def test_commands_run(page: Path, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for name, text in SAVED.findall(page.read_text()):
@@ -95,33 +100,37 @@ def test_commands_run(page: Path, folder: Path, capsys: pytest.CaptureFixture[st
         assert " ".join(shown.split()) in printed, shown
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
+@pytest.mark.parametrize("page", pages_with("python"), ids=lambda p: p.name)
 def test_python_runs(page: Path, folder: Path) -> None:
     for code in blocks(page, "python"):
         exec(compile(code, str(page), "exec"), {})
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
-@pytest.mark.parametrize(("language", "suffix"), [("xml", ".xml"), ("json", ".json")])
-def test_scripts_and_scores_perform(page: Path, language: str, suffix: str, folder: Path) -> None:
-    for number, text in enumerate(blocks(page, language)):
-        source = folder / f"{number}{suffix}"
-        source.write_text(text)
-        assert run(["speak", str(source), "-o", "x.muscles.csv"]) == 0
+@pytest.mark.parametrize("language", ["xml", "json"])
+def test_scripts_and_scores_perform(language: str, folder: Path) -> None:
+    with all_cases() as case:
+        for page in pages_with(language):
+            for number, text in enumerate(blocks(page, language)):
+                source = folder / f"{page.stem}-{number}.{language}"
+                source.write_text(text)
+                with case(source.name):
+                    assert run(["speak", str(source), "-o", "x.muscles.csv"]) == 0
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
-def test_rules_are_rules_and_the_doctor_finds_them_well(page: Path, folder: Path) -> None:
-    for number, text in enumerate(block for block in blocks(page, "toml") if "[[rule]]" in block):
-        file = folder / f"{number}.toml"
-        file.write_text(text)
-        assert run(["rules", "doctor", "--rules", str(file)]) == 0
+def test_rules_are_rules_and_the_doctor_finds_them_well(folder: Path) -> None:
+    with all_cases() as case:
+        for page in pages_with("toml"):
+            for number, text in enumerate(block for block in blocks(page, "toml") if "[[rule]]" in block):
+                file = folder / f"{page.stem}-{number}.toml"
+                file.write_text(text)
+                with case(file.name):
+                    assert run(["rules", "doctor", "--rules", str(file)]) == 0
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
-def test_links_lead_somewhere(page: Path) -> None:
-    for target in re.findall(r"\]\(([^)#]+)\)", page.read_text()):
-        assert (page.parent / target).exists(), target
+def test_links_lead_somewhere() -> None:
+    wanted = [(page, target) for page in PAGES for target in re.findall(r"\]\(([^)#]+)\)", page.read_text())]
+    assert wanted
+    assert [f"{page.name}: {target}" for page, target in wanted if not (page.parent / target).exists()] == []
 
 
 def test_every_command_channel_and_output_is_documented() -> None:

@@ -22,6 +22,7 @@ from risorius.serve import server as live_server
 from risorius.settings import Settings, settings_of
 from risorius.studio import server
 
+from .collected import all_cases
 from .setting_cases import BASE, CASES
 
 if TYPE_CHECKING:
@@ -198,32 +199,34 @@ def _value_of(command: str, option: click.Option) -> list[str]:
     return [option.opts[-1], row.text(value)]
 
 
-@pytest.mark.parametrize(
-    ("command", "option"), EVERY_OPTION, ids=[f"{command} {it.opts[-1]}" for command, it in EVERY_OPTION]
-)
+@pytest.mark.parametrize("command", dict.fromkeys(command for command, _ in EVERY_OPTION))
 def test_every_option_reaches_what_it_is_for(
-    command: str, option: click.Option, calls: list[object], capsys: pytest.CaptureFixture[str]
+    command: str, calls: list[object], capsys: pytest.CaptureFixture[str]
 ) -> None:
-    def outcome_of(words: list[str]) -> object:
+    def outcome_of(words: list[str], option: click.Option) -> object:
         calls.clear()
         code = run([*command.split(), *ARGUMENTS[command], *BESIDE.get(str(option.name), []), *words])
         return code, [*calls], capsys.readouterr().out
 
-    without, given = outcome_of([]), outcome_of(_value_of(command, option))
-    assert given != without
-    name = str(option.name)
-    if (
-        command.partition(" ")[0] not in ("rules", "align")
-        and f"{command} {name}" not in VALUES
-        and name in rows(Settings)
-    ):
-        expected = settings_of({name: CASES[name]})
-        assert any(isinstance(call, tuple) and expected in _settings_in(call) for call in calls)
+    with all_cases() as case:
+        for option in (option for its, option in EVERY_OPTION if its == command):
+            with case(option.opts[-1]):
+                without = outcome_of([], option)
+                assert outcome_of(_value_of(command, option), option) != without
+                expected = _expected_of(command, str(option.name))
+                assert expected is None or any(expected in _settings_in(call) for call in calls)
 
 
-def _settings_in(call: tuple[Any, ...]) -> list[Settings]:
+def _expected_of(command: str, name: str) -> Settings | None:
+    """Return the settings with which a command calls the library if an option is given; None if none."""
+    if command.partition(" ")[0] in ("rules", "align") or f"{command} {name}" in VALUES:
+        return None
+    return settings_of({name: CASES[name]}) if name in rows(Settings) else None
+
+
+def _settings_in(call: object) -> list[Settings]:
     """Return the settings in a call, or in the performance that it is to wait for."""
-    named = call[-1].values() if call and isinstance(call[-1], dict) else ()
+    named = call[-1].values() if isinstance(call, tuple) and call and isinstance(call[-1], dict) else ()
     inner = [settings for value in named if isinstance(value, tuple) for settings in _settings_in(value)]
     return [*inner, *(value for value in named if isinstance(value, Settings))]
 

@@ -20,6 +20,8 @@ from risorius.core.setting import rows
 from risorius.errors import InputError, RisoriusError
 from risorius.settings import BlendChoices, Look, Settings, parse_size, settings_of
 
+from .collected import all_cases
+
 DOCS = Path(__file__).parents[1] / "docs"
 
 
@@ -117,14 +119,17 @@ def test_choices_of_blend_lie_over_a_score_and_over_what_is_usual() -> None:
     assert [f.name for f in fields(BlendChoices)] == [f.name for f in fields(BlendSettings)]
 
 
-@pytest.mark.parametrize("row", rows(Settings).values(), ids=lambda row: row.name)
-def test_every_setting_is_whole(row) -> None:  # type: ignore[no-untyped-def]
-    entry = row.entry
-    assert entry.help.endswith((".", "…"))
-    assert entry.label
-    assert (entry.low is None) == (entry.high is None)
-    assert entry.names is None or entry.names.choices()
-    assert row.usual is not None or entry.unset or row.flag is None or row.name in ("rules", "every")
+def test_every_setting_is_whole() -> None:
+    with all_cases() as case:
+        for row in rows(Settings).values():
+            entry = row.entry
+            with case(row.name):
+                assert entry.help.endswith((".", "…"))
+                assert entry.label
+                assert (entry.low is None) == (entry.high is None)
+                assert entry.names is None or entry.names.choices()
+                needs_none = row.flag is None or row.name in ("rules", "every")
+                assert row.usual is not None or entry.unset or needs_none
 
 
 def test_no_help_spells_names_that_the_table_knows() -> None:

@@ -38,6 +38,7 @@ from risorius.unread import (
     values_read,
 )
 
+from .collected import all_cases
 from .setting_cases import BASE, CASES, SKIN
 
 if TYPE_CHECKING:
@@ -59,12 +60,6 @@ def solvers() -> Callable[[Settings], Any]:
         return made[key] if key in made else made.setdefault(key, make(settings))
 
     return solver
-
-
-@pytest.fixture(scope="module")
-def usual() -> dict[Stage, object]:
-    """What comes out of the base settings, by stage; filled as it is needed."""
-    return {}
 
 
 @pytest.fixture(scope="module")
@@ -129,24 +124,24 @@ def outcome(stage: Stage, settings: Settings, spoken: Utterance, score: Score) -
     return drawn(settings)
 
 
-@pytest.mark.parametrize("row", rows(Settings).values(), ids=lambda row: row.name)
+@pytest.mark.parametrize("stage", Stage)
 def test_every_setting_changes_an_output(
-    row: Row,
+    stage: Stage,
     spoken: Utterance,
     score: Score,
     solvers: Callable[[Settings], Any],
-    usual: dict[Stage, object],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    assert row.name in CASES, f"{row.name} is a new setting: give it a value that is not its default"
     monkeypatch.setattr(take, "make_solver", solvers)
-    stage = row.entry.stage
     base = SKIN if stage is Stage.APPEARANCE else BASE
-    settings = settings_of({row.name: CASES[row.name]}, base)
-    assert settings != base
-    if stage not in usual:
-        usual[stage] = outcome(stage, base, spoken, score)
-    assert outcome(stage, settings, spoken, score) != usual[stage]
+    usual = outcome(stage, base, spoken, score)
+    with all_cases() as case:
+        for row in (row for row in rows(Settings).values() if row.entry.stage is stage):
+            with case(row.name):
+                assert row.name in CASES, "a new setting: give it a value that is not its default"
+                settings = settings_of({row.name: CASES[row.name]}, base)
+                assert settings != base
+                assert outcome(stage, settings, spoken, score) != usual
 
 
 def test_a_head_speaks_with_lips_of_its_own(score: Score) -> None:
@@ -172,15 +167,21 @@ def _performed(kind: InputKind, settings: Settings) -> object:
     return performs[kind.what](settings=settings)
 
 
-@pytest.mark.parametrize("kind", INPUTS, ids=lambda kind: kind.what)
-@pytest.mark.parametrize("row", rows(Settings).values(), ids=lambda row: row.name)
-def test_every_input_refuses_by_name_what_it_does_not_read(kind: InputKind, row: Row) -> None:
-    refused: tuple[str, ...] = ()
+def _refused(kind: InputKind, row: Row) -> tuple[str, ...]:
+    """Return the settings that an input of a kind refuses if one has another value than its default."""
     try:
         _performed(kind, settings_of({row.name: CASES[row.name]}))
     except UnreadError as error:
-        refused = error.names
+        return error.names
     except RisoriusError:
         pass
-    read = row.entry.stage in kind.stages or row.name in kind.also
-    assert refused == (() if read else (row.name,))
+    return ()
+
+
+@pytest.mark.parametrize("kind", INPUTS, ids=lambda kind: kind.what)
+def test_every_input_refuses_by_name_what_it_does_not_read(kind: InputKind) -> None:
+    with all_cases() as case:
+        for row in rows(Settings).values():
+            read = row.entry.stage in kind.stages or row.name in kind.also
+            with case(row.name):
+                assert _refused(kind, row) == (() if read else (row.name,))

@@ -44,13 +44,13 @@ def test_the_pages_that_are_made_are_whole(site: ModuleType) -> None:
 def test_the_gallery_plays_what_its_commands_write(site: ModuleType) -> None:
     page = (ROOT / "docs" / "gallery.md").read_text("utf-8")
     shown = re.findall(r'<iframe src="gallery/([\w.]+)"', page)
-    assert shown == [line.split()[-1] for line in site._commands_of("gallery.md")] != []
+    assert shown == [line.split()[-1] for line in site.commands_of("gallery.md")] != []
 
 
 @pytest.mark.full
 def test_the_gallerys_pages_are_made(site: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
     short = 'risorius speak "Oh." --fps 10 -o oh.html'
-    monkeypatch.setattr(site, "_commands_of", lambda page: [short])
+    monkeypatch.setattr(site, "commands_of", lambda page: [short])
     ((name, page),) = site.players()
     assert name == "gallery/oh.html"
     assert page.startswith(b"<!doctype html>")

@@ -11,20 +11,23 @@ import enum
 import importlib
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 from types import FunctionType, MappingProxyType
 
 import numpy as np
-import pytest
 
 import risorius
 from risorius.core.frozen import FrozenDict
+
+from .collected import all_cases
 
 ROOT = Path(risorius.__file__).parent
 FILES = sorted(ROOT.rglob("*.py"))
 PLAIN = (str, bytes, int, float, type(None), Fraction, Path, FunctionType, type, enum.Enum, frozenset)
 
 
+@cache
 def _parsed(path: Path) -> ast.Module:
     return ast.parse(path.read_text(encoding="utf-8"))
 
@@ -99,10 +102,12 @@ def _shared_tables() -> Iterator[tuple[str, str]]:
                 yield from [(module, node.name)] if cached and node.name not in LOCKED else ()
 
 
-@pytest.mark.parametrize(("module", "name"), list(_shared_tables()))
-def test_no_table_that_runs_share_can_be_changed(module: str, name: str) -> None:
-    table = getattr(importlib.import_module(module), name)()
-    assert sorted(set(_changeable(table, name))) == []
+def test_no_table_that_runs_share_can_be_changed() -> None:
+    with all_cases() as case:
+        for module, name in _shared_tables():
+            with case(f"{module}.{name}"):
+                table = getattr(importlib.import_module(module), name)()
+                assert sorted(set(_changeable(table, name))) == []
 
 
 def _changeable(value: object, path: str) -> Iterator[str]:

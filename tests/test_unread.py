@@ -17,6 +17,8 @@ from risorius.ports.formats import format_for
 from risorius.settings import BlendChoices, Look, Settings
 from risorius.unread import chosen, refuse_unwritten
 
+from .collected import all_cases
+
 SMILE = "zygomatic_major.left"
 GRIN = {"channel": "emotion", "start": 0.0, "end": 1.0, "onset": 0.4, "offset": 0.4, "targets": {SMILE: 0.6}}
 POUT = {**GRIN, "channel": "signals", "targets": {"orbicularis_oris_funneler": 0.6}}
@@ -39,15 +41,17 @@ PLANNING = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize("setting", PLANNING, ids=lambda setting: next(iter(setting)))
 @pytest.mark.parametrize("perform", [risorius.speak, risorius.mix, risorius.play])
 def test_a_score_refuses_settings_of_voice_and_plan(
-    perform: Callable[..., risorius.Take], setting: dict[str, object], score: str
+    perform: Callable[..., risorius.Take], score: str
 ) -> None:
-    with pytest.raises(UnreadError) as refused:
-        perform(score, settings=Settings(**setting))  # type: ignore[arg-type]
-    assert refused.value.names == tuple(setting)
-    assert refused.value.place == Place(score)
+    with all_cases() as case:
+        for setting in PLANNING:
+            with case(setting):
+                with pytest.raises(UnreadError) as refused:
+                    perform(score, settings=Settings(**setting))  # type: ignore[arg-type]
+                assert refused.value.names == tuple(setting)
+                assert refused.value.place == Place(score)
 
 
 @pytest.mark.parametrize(

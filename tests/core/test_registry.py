@@ -42,3 +42,12 @@ def test_names_are_registered_once_and_found() -> None:
         registry.register("one")(2)
     with pytest.raises(ParameterError, match="did you mean 'one'"):
         registry.get("one ")
+
+
+def test_a_plug_in_that_is_forgotten_is_unknown() -> None:
+    registry: Registry[int] = Registry("number")
+    registry.register("one")(1)
+    assert registry.forget("one") == 1
+    assert "one" not in registry
+    with pytest.raises(ParameterError, match="unknown number 'one'"):
+        registry.forget("one")

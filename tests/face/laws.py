@@ -73,7 +73,7 @@ class Laws:
                 if name in self.head.fields:
                     field[self.head.fields[name].vertices] += self.head.fields[name].displacement
             solver.solve(contracted([base]))
-            off = solver._skin[:, :3] - self.head.rest - field
+            off = solver.coarse_skin - self.head.rest - field
             shares.append(1.0 - (off**2).sum() / (field**2).sum())
             errors.append(np.linalg.norm(off, axis=1).max())
         return min(shares), max(errors)

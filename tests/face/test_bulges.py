@@ -14,6 +14,7 @@ from risorius.face.solve import FaceSolver
 
 from .conftest import values_of
 
+FOURTH = ((0, 0), (0, 1))  # kernels want points of four numbers
 SWELL = {
     "cheek": {"zygomatic_major": 1.0, "orbicularis_oculi_orbitalis": 1.0},
     "chin": {"mentalis": 1.0},
@@ -32,7 +33,7 @@ def lift(head, solver):
     def lifted(targets):
         solver.solve(values_of(targets))
         out = np.zeros(head.skin.matrix.shape[0])
-        made.lift(solver._skin, out)
+        made.lift(np.pad(solver.coarse_skin, FOURTH), out)
         return out
 
     return lifted
@@ -90,7 +91,7 @@ def test_no_flesh_swells_into_an_eye():
     head = load_head("mei")
     solver, swollen = FaceSolver(head), np.zeros(head.skin.matrix.shape[0])
     solver.solve(values_of(SWELL["glabella"]))
-    Bulges(head).lift(solver._skin, swollen)
+    Bulges(head).lift(np.pad(solver.coarse_skin, FOURTH), swollen)
     rest = head.skin.matrix @ head.rest
     for centre, radius in zip(head.eye_centre, head.eye_radius, strict=True):
         assert swollen[np.linalg.norm(rest - centre, axis=1) - radius < 0.5].max() < 0.06

@@ -15,6 +15,7 @@ from risorius.face.crowding import (
 )
 from risorius.face.head import load_head
 from risorius.face.links import NO_LINKS
+from risorius.face.muscles import MuscleFields
 from risorius.face.solve import FaceSolver
 
 from .conftest import MOUTH_MUSCLES, values_of
@@ -28,7 +29,7 @@ def crowding(head):
 
 def displaced(solver, targets):
     out = np.zeros_like(solver.head.rest)
-    solver._muscles.displace(values_of(targets), out)
+    MuscleFields.of(solver.head).displace(values_of(targets), out)
     return out
 
 

@@ -176,7 +176,7 @@ def _query(path: Path) -> object:
 def _headers(path: Path) -> object:
     lines = path.read_bytes().split(b"\n")
     pairs = [(name.strip().lower(), value.strip()) for name, _, value in (x.partition(b":") for x in lines)]
-    return Guard(None)._allowed(Headers(raw=pairs))  # type: ignore[arg-type]
+    return Guard(None).allows(Headers(raw=pairs))  # type: ignore[arg-type]
 
 
 def _journal(path: Path) -> None:

@@ -77,7 +77,7 @@ def _setting(text: str) -> Settings:
 
 def _answer(path: Path) -> object:
     request = SpeechRequest("Hello.", Voice("en-us", ("en-us",), "", "", "en-us"))
-    return ProgramEngine(["none"], "mine")._read(path.read_bytes(), request)
+    return ProgramEngine(["none"], "mine").rendition_of(path.read_bytes(), request)
 
 
 def _muscles(path: Path) -> object:

@@ -31,6 +31,7 @@ from risorius.serve.messages import KINDS
 from risorius.settings import Settings, settings_of
 from risorius.studio.wire.requests import EDITS, VERBS
 
+from ..collected import all_cases
 from ..profiles import samples
 from .cases import spoilt
 from .guard import bounded, one_line_or_done
@@ -222,14 +223,20 @@ def _fault(read: Callable[[object], object], value: object) -> str:
 ODD = (10**5000, -(10**5000), "", "x" * 5000, "\ud800", "9" * 5000, "1e400", ";", ":", b"x", object(), int)
 
 
-@pytest.mark.parametrize("name", rows(Settings))
-def test_every_setting_takes_torture(name: str) -> None:
+def test_every_setting_takes_torture() -> None:
     """Whatever a setting is given, alone, in a list or by name: it is taken, or refused in one line."""
-    for value in (*TORTURE, *ODD):
-        members = [{value: 1.0}] if isinstance(value, int | str) else []
-        for choice in (value, [value], (value, value), {"x": value}, {"nose_width": value}, *members):
-            with one_line_or_done():
-                settings_of({name: choice})
+    with all_cases() as case:
+        for name in rows(Settings):
+            for number, value in enumerate((*TORTURE, *ODD)):
+                with case(f"{name} = value {number}, {type(value).__name__}"):
+                    _torture(name, value)
+
+
+def _torture(name: str, value: object) -> None:
+    members = [{value: 1.0}] if isinstance(value, int | str) else []
+    for choice in (value, [value], (value, value), {"x": value}, {"nose_width": value}, *members):
+        with one_line_or_done():
+            settings_of({name: choice})
 
 
 def _hints(schema: type) -> dict[str, typing.Any]:

@@ -235,7 +235,7 @@ def test_what_a_voice_program_answers_wrongly_is_said(answer: str) -> None:
     engine = ProgramEngine(["none"], "mine")
     request = SpeechRequest("Hello.", Voice("en-us", ("en-us",), "", "", "en-us"))
     with one_line_or_done(), pytest.raises(RisoriusError, match="the voice 'mine'"):
-        engine._read(answer.encode(), request)
+        engine.rendition_of(answer.encode(), request)
 
 
 def test_an_amount_of_thousands_of_digits_is_not_read_as_money() -> None:
@@ -290,7 +290,7 @@ def test_half_a_character_is_refused_with_its_place() -> None:
 @pytest.mark.parametrize("origin", ["http://[", "http://[::1", "//[/", "http://[x]]"])
 def test_an_origin_with_a_broken_bracket_is_refused(origin: str) -> None:
     headers = Headers({"host": "127.0.0.1:8000", "origin": origin})
-    assert not Guard(None)._allowed(headers)  # type: ignore[arg-type]
+    assert not Guard(None).allows(headers)  # type: ignore[arg-type]
 
 
 SERVICES: dict[str, Callable[[Live], object]] = {

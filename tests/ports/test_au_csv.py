@@ -5,7 +5,7 @@ import pytest
 
 from risorius.api import pose
 from risorius.errors import InputError
-from risorius.ports.au_csv import CAMERA, COLUMNS, _turn, pose_angles, read_au_csv
+from risorius.ports.au_csv import CAMERA, COLUMNS, pose_angles, read_au_csv, turn_of
 from risorius.take import Take
 
 
@@ -81,5 +81,5 @@ def test_frames_without_a_face_hold_the_last_one(tmp_path: Path) -> None:
 
 def test_angles_go_there_and_back() -> None:
     angles = (0.2, -0.4, 0.1)
-    assert pose_angles(_turn(np.array(angles))) == pytest.approx(angles)
+    assert pose_angles(turn_of(np.array(angles))) == pytest.approx(angles)
     assert np.allclose(CAMERA @ CAMERA, np.eye(3))

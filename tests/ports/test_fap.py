@@ -5,6 +5,7 @@ import pytest
 
 from risorius.errors import InputError
 from risorius.face.feature_points import SHOWN, FeaturePoints
+from risorius.face.solve import FaceSolver
 from risorius.ports.fap import read_fap
 from risorius.take import Take
 
@@ -67,7 +68,7 @@ def test_greta_s_69_flags_are_read(written: Path, tmp_path: Path) -> None:
 def test_signs_are_those_of_the_standard(clip: Take) -> None:
     from risorius.core.parameters import INDEX, NEUTRAL
 
-    points, solver = FeaturePoints(clip.head), clip._solver
+    points, solver = FeaturePoints(clip.head), FaceSolver(clip.head)
 
     def faps(**targets: float) -> np.ndarray:
         values = np.array(NEUTRAL)

@@ -53,10 +53,10 @@ def test_a_file_that_is_only_written_is_not_read(name: str) -> None:
 def test_only_literals_and_functions_stand_in_the_lines_that_register(tmp_path: Path) -> None:
     (tmp_path / "small.py").write_text(SMALL.replace('"a small file"', "DESCRIPTION"))
     with pytest.raises(ValueError, match="malformed"):
-        list(formats._declared(tmp_path))
+        list(formats.declared(tmp_path))
     (tmp_path / "small.py").write_text(f"{SMALL}print()\n")
     with pytest.raises(ValueError, match="expected nothing but register"):
-        list(formats._declared(tmp_path))
+        list(formats.declared(tmp_path))
 
 
 @pytest.mark.parametrize(
@@ -125,7 +125,7 @@ print(*sorted({"numpy", "numba", "scipy", "PIL"} & set(sys.modules)), *sorted(wr
 
 def test_a_format_is_one_file(tmp_path: Path) -> None:
     (tmp_path / "small.py").write_text(SMALL)
-    (found,) = formats._declared(tmp_path)
+    (found,) = formats.declared(tmp_path)
     assert (found.suffix, found.description, found.needs, found.order) == (
         ".small",
         "a small file",

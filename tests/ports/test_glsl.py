@@ -1,4 +1,4 @@
-"""The translator of formulas refuses what it does not know; that its GLSL is right: `test_stage_parts.py`."""
+"""The translator of formulas refuses what it does not know; that its GLSL is right: `test_skin.py`."""
 
 from __future__ import annotations
 
@@ -7,10 +7,12 @@ import math
 import pytest
 
 from risorius.core.kernels.jit import f4
-from risorius.core.kernels.vec import Vec, along
+from risorius.core.kernels.vec import Vec, along, dot, smooth
 from risorius.ports.glsl import glsl_of
+from risorius.ports.skin_formulas import shading
 
 TABLE = [1.0, 2.0]
+INFINITE = math.inf
 
 
 def looped(x: float) -> float:
@@ -32,7 +34,123 @@ def before(x: float) -> float:
 
 
 def looked_up(x: float) -> float:
-    return x * TABLE  # type: ignore[operator]
+    return x * TABLE
+
+
+def powered(x: float) -> float:
+    return x**2
+
+
+def halved(x: float) -> float:
+    x //= 2
+    return x
+
+
+def doubled(x: Vec) -> Vec:
+    return x * 2
+
+
+def compared(x: float) -> float:
+    return 1.0 if x == 2.0 else 0.0
+
+
+def trusted(x: float) -> float:
+    return 1.0 if x else 0.0
+
+
+def both(x: float) -> float:
+    return 1.0 if x > 0.0 and x < 1.0 else 0.0
+
+
+def branched(x: float) -> float:
+    if x > 1.0:
+        return x
+    else:  # noqa: RET505
+        return 1.0
+
+
+def scoped(x: float) -> float:
+    if x > 1.0:
+        y = x
+    return y
+
+
+def changed(x: float) -> float:
+    x = (x, x, x)
+    return x + 1.0
+
+
+def least(x: float) -> float:
+    return min(x, 1.0, 2.0)
+
+
+def named(x: float) -> float:
+    return smooth(x, b=1.0, t=0.5)
+
+
+def defaulted(x: float, y: float = 1.0) -> float:
+    return x + y
+
+
+def listed(*x: float) -> float:
+    return x[0]
+
+
+def mistaken(x: Vec) -> Vec:
+    return dot(x, x)
+
+
+def unmixed(x: float) -> float:
+    return dot(x, x)
+
+
+def beyond(x: Vec) -> float:
+    return x[3]
+
+
+def sliced(x: Vec) -> float:
+    return x[:1][0]
+
+
+def unpacked(x: Vec) -> float:
+    a, b = x
+    return a + b
+
+
+def four(x: float) -> tuple[float, float, float, float]:
+    return x, x, x, x
+
+
+def judged(x: float) -> bool:
+    return x > 1.0
+
+
+def silent(x: float) -> None:
+    x += 1.0
+
+
+def ended(x: float) -> float:  # noqa: RET503
+    if x > 1.0:
+        return x
+
+
+def yes(x: float) -> float:
+    return True
+
+
+def endless(x: float) -> float:
+    return x + INFINITE
+
+
+def nowhere(x: float) -> float:
+    return x + missing  # noqa: F821
+
+
+UNKNOWN = [
+    looped, counted, unknown, before, looked_up, powered, halved, doubled, compared, trusted, both, branched,
+    scoped, changed, least, named, defaulted, listed, mistaken, unmixed, beyond, sliced, unpacked, four,
+    judged, silent, ended, yes, endless, nowhere,
+]  # fmt: skip
 
 
 def bumped(x: float) -> float:
@@ -44,20 +162,35 @@ def bumped(x: float) -> float:
     return y * math.pi - x
 
 
+def called_with_more(x: float) -> float:
+    return bumped(x, x)
+
+
 def moved(place: Vec, x: float) -> tuple[float, float]:
     a, b, c = along(place, (f4(0), f4(1), f4(0)), bumped(x))
     return a, b if x > f4(1) else -c
 
 
-@pytest.mark.parametrize("function", [looped, counted, unknown, before, looked_up])
+@pytest.mark.parametrize("function", UNKNOWN)
 def test_what_is_not_known_is_refused(function):
+    """Here, not by the compiler of a graphics card in somebody's page."""
     with pytest.raises(ValueError, match=f"{function.__name__}|neither"):
         glsl_of([function], {})
 
 
-def test_a_constant_that_is_no_number_is_refused():
-    with pytest.raises(ValueError, match="neither a number nor three"):
-        glsl_of([], {"NAME": "text"})
+def test_a_function_is_called_with_what_it_takes():
+    with pytest.raises(ValueError, match="bumped is given 2; expected 1"):
+        glsl_of([bumped, called_with_more], {})
+
+
+@pytest.mark.parametrize("value", ["text", True, math.nan, (1.0, 2.0), (1.0, 2.0, "x")])
+def test_a_constant_that_is_not_a_number_is_refused(value):
+    with pytest.raises(ValueError, match="neither a"):
+        glsl_of([], {"NAME": value})
+
+
+def test_all_shading_formulas_of_the_pages_are_translated():
+    assert shading().formulas.count("lib_") > 40
 
 
 def test_functions_become_glsl():

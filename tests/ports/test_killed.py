@@ -5,6 +5,7 @@ from __future__ import annotations
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -17,6 +18,8 @@ from risorius.take import Take
 from ..profiles import everyday
 
 OLD = b"what was there before"
+RUN = "import sys; from risorius.cli import run; sys.exit(run(sys.argv[1:]))"
+PATIENCE = 300.0  # s
 # Of the signals that end a process at once, the one for a file that may not grow comes at a chosen byte.
 PROGRAM = """
 import resource, signal, sys
@@ -54,3 +57,19 @@ def test_a_writer_that_is_killed_leaves_the_old_file(
     assert all(name.startswith(".risorius-") and name.endswith(".part") for name in left)
     load(performance, settings=Settings(size=(64, 64))).write(path)
     assert path.stat().st_size > len(OLD)
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("suffix", list(FORMATS))
+def test_the_old_file_is_whole_after_a_kill(suffix: str, tmp_path: Path) -> None:
+    path = tmp_path / f"out{suffix}"
+    path.write_bytes(OLD)
+    command = [sys.executable, "-c", RUN, "speak", "Hello there.", "-o", str(path)]
+    with subprocess.Popen(command, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL) as process:
+        deadline = time.monotonic() + PATIENCE
+        while not list(tmp_path.glob(".risorius-*.part")) and time.monotonic() < deadline:
+            assert process.poll() is None or path.read_bytes() != OLD
+            if process.poll() is not None:
+                return  # it was faster than we look
+        process.kill()
+    assert path.read_bytes() == OLD

@@ -17,7 +17,7 @@ def drawn(model):
 def seen(renderer, frame):
     """The hairs that win a sample of a picture."""
     renderer.render(frame)
-    ids = renderer._buffer.ids
+    ids = renderer.triangles_shown
     found = renderer.scene.surfaces[ids[ids >= 0]]
     return np.unique(found[found >= HAIR])
 
@@ -27,12 +27,12 @@ def test_leaving_out_hidden_hairs_hardly_changes_what_is_seen(drawn, face, angle
     frame = replace(face(), head_rotation=head_rotation(*angles))
     views, drawn._hair_views = drawn._hair_views, None
     try:
-        everything, whole = seen(drawn, frame), drawn._buffer.ids.copy()
+        everything, whole = seen(drawn, frame), drawn.triangles_shown.copy()
     finally:
         drawn._hair_views = views
     kept = seen(drawn, frame)
     assert len(np.setdiff1d(everything, kept)) < 0.12 * len(everything)
-    assert (drawn._buffer.ids != whole).mean() < 0.007
+    assert (drawn.triangles_shown != whole).mean() < 0.007
 
 
 def test_at_least_half_of_the_hair_is_left_out(drawn, face):

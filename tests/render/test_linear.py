@@ -46,7 +46,7 @@ def test_nobody_can_tell_linear_triangles_from_shaded_pixels(pictures):
 
 def test_most_pixels_are_linear(pictures):
     renderer = pictures[2]
-    ids = renderer._buffer.ids
+    ids = renderer.triangles_shown
     surfaces = np.where(ids < 0, -1, renderer.scene.surfaces[ids])
     rows = renderer._linear.row[ids + 1]
     assert (rows[ids < 0] == _BACKGROUND).all()

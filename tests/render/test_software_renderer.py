@@ -17,13 +17,13 @@ SYMMETRIC = LightRig((Lamp(0, 30, (2, 2, 2)),), (0.5, 0.5, 0.5), (0.3, 0.3, 0.3)
 
 def surfaces(renderer):
     """The surface (rows, columns) that each sample of the last picture shows, −1 for the background."""
-    ids = renderer._buffer.ids
+    ids = renderer.triangles_shown
     return np.where(ids < 0, -1, renderer.scene.surfaces[ids])
 
 
 def interior(renderer):
     """Which pixels of the last picture show the mouth's lining or tongue."""
-    ids, found = renderer._buffer.ids, surfaces(renderer)
+    ids, found = renderer.triangles_shown, surfaces(renderer)
     inner = renderer.scene.attributes[renderer.scene.triangles[ids, 0], 7] > 0.9
     samples = (found == TONGUE) | ((found == SKIN) & inner)
     return samples[::2, ::2] & samples[1::2, 1::2]
@@ -91,7 +91,7 @@ def test_every_material_is_drawn(renderer, face):
     for surface in (-1, SKIN, EYE_LEFT, EYE_RIGHT, TEETH, TONGUE):
         assert (found == surface).sum() > 20
     assert (found >= HAIR).sum() > 5000
-    depth = renderer.scene.attributes[renderer.scene.triangles[renderer._buffer.ids, 0], 8]
+    depth = renderer.scene.attributes[renderer.scene.triangles[renderer.triangles_shown, 0], 8]
     assert ((found == SKIN) & (depth > 5)).sum() > 5000
 
 
@@ -188,7 +188,7 @@ def test_a_row_has_room_for_a_patch_in_every_sample(head, model, face):
     camera = frame_head(find_anatomy(head), 1.0, "eyes", 120.0)
     renderer = SoftwareRenderer(model, (120, 120), camera=camera)
     renderer.render(face())
-    shown = np.where(renderer._buffer.ids >= 0, renderer.scene.surfaces[renderer._buffer.ids], -1)
+    shown = np.where(renderer.triangles_shown >= 0, renderer.scene.surfaces[renderer.triangles_shown], -1)
     pixels = shown.reshape(120, 2, 120, 2).transpose(0, 2, 1, 3).reshape(120, 120, 4)
     patches = max(sum(len(set(pixel[pixel >= 0])) for pixel in row) for row in pixels)
     assert 2 * 120 < patches <= len(renderer._batch.column)

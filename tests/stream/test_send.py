@@ -8,6 +8,7 @@ import threading
 from collections.abc import Iterator
 from fractions import Fraction
 from types import SimpleNamespace
+from typing import ClassVar
 
 import numpy as np
 import pytest
@@ -156,9 +157,11 @@ def test_it_waits_for_the_next_frame_and_while_the_sound_has_not_begun(receiver:
 
 class FakeStream:
     latency = 0.1
+    opened: ClassVar[list[FakeStream]] = []
 
     def __init__(self, callback, **settings: object) -> None:
         self.callback, self.settings, self.state = callback, settings, "new"
+        self.opened.append(self)
 
     def start(self) -> None:
         self.state = "playing"
@@ -176,14 +179,15 @@ def test_the_sound_is_the_clock(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(clocks, "time", SimpleNamespace(perf_counter=lambda: 7.0))
     audio = silence(1.0)
     with SoundClock(audio) as clock:
+        stream = FakeStream.opened[-1]
         assert clock.now() == pytest.approx(-0.1)
         out = np.ones((11_025, 1), np.int16)
-        clock._stream.callback(out, 11_025, None, None)
+        stream.callback(out, 11_025, None, None)
         assert not out.any()
-        clock._stream.callback(out, 11_025, None, None)
+        stream.callback(out, 11_025, None, None)
         # The second block begins at 0.5 s and is heard after the latency.
         assert clock.now() == pytest.approx(0.4)
-    assert clock._stream.state == "closed"
+    assert stream.state == "closed"
 
 
 def test_no_sound_is_one_line(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -79,13 +79,14 @@ def test_two_hosts_or_origins_are_none(server):
 
 
 OUTSIDE = [
-    "/web/../app.py",
-    "/web/%2e%2e/app.py",
-    "/web/..%2fapp.py",
+    "/web/../api.py",
+    "/web/%2e%2e/api.py",
+    "/web/..%2fapi.py",
     "/web//etc/passwd",
     "/web/%2fetc%2fpasswd",
-    "/web/..%5capp.py",
+    "/web/..%5capi.py",
     "/web/%00",
+    "/web/__init__.py",
     "/api/session/../take/1/sound.wav",
     "/api/session/%2e%2e/project",
     "/api/session/a/export/1/..%2f..%2fproject.json",

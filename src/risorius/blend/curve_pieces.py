@@ -27,8 +27,9 @@ from .roots import find_roots
 
 @dataclass(slots=True)
 class CurvePiece:
-    """The piece of a curve by which one movement moves one parameter; seconds and names of functions.
+    """The piece of a curve by which one movement moves one parameter.
 
+    Times in seconds; `function` and `fade_function` are names.
     Onset: min(begin + rise·f, cap) during `onset`; apex: `level` until `apex_end`; offset: `level`·f
     backwards until `end`. The residue falls from `excess` with the time constant `fade`. `speed`, 1/s, is
     taken over from the piece before and dies away in `slowing`. The piece is at rest from `last` on, and it

@@ -34,6 +34,12 @@ class Registry(Generic[T]):
 
         return add
 
+    def forget(self, name: str) -> T:
+        """Take out and return the plug-in called `name`; raise ParameterError as `get`."""
+        entry = self.get(name)
+        del self._entries[name]
+        return entry
+
     def get(self, name: str) -> T:
         """Return the plug-in called `name`; raise ParameterError, with the nearest one, if it is unknown."""
         try:

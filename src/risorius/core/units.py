@@ -27,10 +27,10 @@ HabitSeconds = Annotated[float, Range(0.0, 60.0)]
 """The duration of one action of a habit, or of the pause after it: a fixation, a posture, a look away."""
 
 MarkSeconds = Annotated[float, Range(0.01, 60.0)]
-"""The duration of a mark of paper A's markup without its own."""
+"""The duration of a mark of paper A's markup that gives none itself."""
 
 BehaviourSeconds = Annotated[float, Range(0.1, 60.0)]
-"""The duration of a behaviour of BML without its own."""
+"""The duration of a behaviour of BML that gives none itself."""
 
 ContactSeconds = Annotated[float, Range(0.001, 0.5)]
 """The time in which the lips change about a contact."""

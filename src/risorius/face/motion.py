@@ -54,9 +54,9 @@ def animate(
     With `dynamics` the skin moves with its inertia and starts at rest in the first frame. Frames that are not
     in `indices` are computed too, so that the others do not depend on the choice; with `lead_in`, only those
     in the last `lead_in` seconds before the first one (see `Motion.start_before`). `drive` returns the curves
-    between frames (None: straight lines); with the score's own curves, faces agree at all frame rates.
-    With `buffers` each frame overwrites the one before it. Raises ParameterError for a value that is not a
-    number or out of range.
+    between frames (None: straight lines); with the score's own curves, faces at one time agree at all frame
+    rates. With `buffers` each frame overwrites the one before it. Raises ParameterError for a value that is
+    not a number or out of range.
     """
     chosen = range(len(performance.values)) if indices is None else indices
     if not dynamics:

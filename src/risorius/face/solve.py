@@ -114,6 +114,11 @@ class FaceSolver:
         self._skin, self._fine = (np.zeros((n, 4)) for n in reversed(head.skin.matrix.shape))
         self._tongue_points = np.zeros_like(self._tongue.rest)
 
+    @property
+    def coarse_skin(self) -> Array:
+        """The head's own vertices (n, 3) in mm as the last frame has them, before they are subdivided."""
+        return self._skin[:, :3]
+
     def buffers(self) -> FrameBuffers:
         """Return arrays for a frame, which `solve` and `solve_moving` can fill again and again."""
         shapes = ((len(self._fine), 3), self.head.teeth_lower.vertices.shape, self._tongue_points.shape)

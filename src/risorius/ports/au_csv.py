@@ -128,7 +128,7 @@ def read_au_csv(path: Path) -> ActionUnitTake:
     found = _held(table)
     strengths = np.clip(table.of(list(units.values()))[found] / SCALE, 0.0, 1.0)
     times = check_times(table.of(["timestamp"])[:, 0], path, table.lines)
-    turns = [_turn(row) for row in _block(table, _TURNED)[found]]
+    turns = [turn_of(row) for row in _block(table, _TURNED)[found]]
     head = np.array([rotation_angles(CAMERA @ turn @ CAMERA) for turn in turns])
     gaze = _gaze(_block(table, _LOOKED)[found], turns)
     return ActionUnitTake(times, dict(zip(units, strengths.T, strict=True)), head, gaze)
@@ -190,7 +190,7 @@ def _block(table: Table, names: Sequence[str]) -> Array:
     return table.of(names)
 
 
-def _turn(angles: Array) -> Array:
+def turn_of(angles: Array) -> Array:
     """Return Rx·Ry·Rz (3, 3) of angles in radians, the inverse of `pose_angles`."""
     x, y, z = (about_axis(axis, float(angle)) for axis, angle in zip(np.eye(3), angles, strict=True))
     return np.asarray(x @ y @ z)

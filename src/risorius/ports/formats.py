@@ -115,14 +115,14 @@ def _format(module: str, columns: tuple[Any, ...], options: dict[str, Any], *, r
     )
 
 
-def _declared(package: Path) -> Iterator[FileFormat]:
+def declared(package: Path) -> Iterator[FileFormat]:
     """Yield the formats that the files of the package register, without importing them."""
     for line in registrations(package, __package__, len(_COLUMNS)):
         readable = len(line.arguments) > len(_COLUMNS) + 1
         yield _format(line.module, line.arguments[: len(_COLUMNS)], dict(line.keywords), readable=readable)
 
 
-for _row in sorted(_declared(Path(__file__).parent), key=lambda row: (row.order, row.suffix.lower())):
+for _row in sorted(declared(Path(__file__).parent), key=lambda row: (row.order, row.suffix.lower())):
     FORMATS.register(_row.suffix)(_row)
 
 

@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from ..browser import ROOT
 from ..core.channels import CHANNELS
 from ..core.score import Score
 from .face_packer import FacePacker
@@ -23,13 +24,13 @@ from .formats import register
 from .head_glb import head_glb
 from .head_shade import shade
 from .page_faces import CHUNK, STEP, PackedFaces, deflated
-from .page_modules import WEB, import_map, name_of
+from .page_modules import import_map, name_of
 from .skin_formulas import skin_tables
 from .subtitles import subtitles
 from .table import write_lines
 from .writable import WritableTake, WriteOptions
 
-ENTRY = "played/played.js"
+ENTRY = "player/played.js"
 EXPLAINED_EVERY = 0.1
 """Seconds between the times that are explained."""
 _TITLE_LENGTH = 80
@@ -58,21 +59,21 @@ def write_html(take: WritableTake, path: Path, options: WriteOptions) -> None:
 
 
 def _page(title: str, data: dict[str, bytes]) -> str:
-    styles = "".join((WEB / name).read_text("utf-8") for name in ("style/tokens.css", "played/played.css"))
+    styles = "".join((ROOT / name).read_text("utf-8") for name in ("style/tokens.css", "player/played.css"))
     named = escape(title if len(title) <= _TITLE_LENGTH else f"{title[:_TITLE_LENGTH]} …")
     blocks = "\n".join(
         f'<script type="text/plain" id="data-{name}">{base64.b64encode(content).decode()}</script>'
         for name, content in data.items()
     )
     parts = {
-        "icon": base64.b64encode((WEB / "icon.svg").read_bytes()).decode(),
+        "icon": base64.b64encode((ROOT / "icon.svg").read_bytes()).decode(),
         "title": named or "A performance",
         "style": styles,
         "imports": import_map(ENTRY),
         "entry": name_of(ENTRY),
         "data": blocks,
     }
-    page = (WEB / "played/played.html").read_text("utf-8")
+    page = (ROOT / "player/played.html").read_text("utf-8")
     head, *rest = page.split("{{")
     filled = (part.partition("}}") for part in rest)
     return head + "".join(parts[name] + after for name, _, after in filled)

@@ -10,17 +10,16 @@ import base64
 import json
 import re
 from collections.abc import Iterator
-from pathlib import Path
 
-WEB = Path(__file__).parents[1] / "studio" / "web"
-"""What a browser runs; the studio serves the same files."""
+from ..browser import ROOT
+
 # The address in `import … from "./x.js"`, `export … from "./x.js"` and `import "./x.js"`.
 _IMPORT = re.compile(r"""((?:\bfrom|\bimport)\s*)(["'])(\.{1,2}/[^"']+)\2""")
 _PREFIX = "risorius/"
 
 
 def import_map(entry: str) -> str:
-    """Return the import map, as JSON, of a module of `WEB` and all that it imports."""
+    """Return the import map, as JSON, of a module of `browser` and all that it imports."""
     imports = {_PREFIX + name: _address(text) for name, text in sorted(_modules(entry).items())}
     return json.dumps({"imports": imports})
 
@@ -31,13 +30,13 @@ def name_of(entry: str) -> str:
 
 
 def _modules(entry: str) -> dict[str, str]:
-    """Return the modules by their paths in `WEB`, each importing by names."""
+    """Return the modules by their paths in `browser`, each importing by names."""
     modules: dict[str, str] = {}
     waiting = [entry]
     while waiting:
         name = waiting.pop()
         if name not in modules:
-            text = (WEB / name).read_text(encoding="utf-8")
+            text = (ROOT / name).read_text(encoding="utf-8")
             waiting.extend(_imported(name, text))
             modules[name] = _renamed(name, text)
     return modules
@@ -52,12 +51,12 @@ def _renamed(name: str, text: str) -> str:
 
 def _imported(name: str, text: str) -> Iterator[str]:
     for match in _IMPORT.finditer(text):
-        if (WEB / _path(name, match[3])).is_file():
+        if (ROOT / _path(name, match[3])).is_file():
             yield _path(name, match[3])
 
 
 def _path(name: str, address: str) -> str:
-    return (WEB / name).parent.joinpath(address).resolve().relative_to(WEB.resolve()).as_posix()
+    return (ROOT / name).parent.joinpath(address).resolve().relative_to(ROOT.resolve()).as_posix()
 
 
 def _address(text: str) -> str:

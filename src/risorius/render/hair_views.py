@@ -47,6 +47,11 @@ class HairViews:
         other._scene, other._buffers = scene, None
         return other
 
+    def fit(self, distance: float, sample: float) -> bool:
+        """Whether they are those for a distance and a sample, but for what rounding changes."""
+        mine = self._distance, self._sample
+        return all(math.isclose(*pair, rel_tol=1e-4) for pair in zip(mine, (distance, sample), strict=True))
+
     @property
     def reliable(self) -> bool:
         """Whether the picture's samples are not much finer than those drawn here."""

@@ -100,18 +100,27 @@ class SoftwareRenderer:
         self._diagram_paint = (
             DiagramPaint(model.head, len(self.scene.triangles), style) if style != "realistic" else None
         )
-        self._eye = np.asarray(self.camera.eye, np.float32)
-        self._matrix = self.camera.matrix(width * self._samples, height * self._samples)
         self._empty = to_bytes(self._background)
         tones = (film_table(), tone_table(), to_bytes(film_table()))
         cloth = model.cloth.astype(np.float32)
         iris = iris_image(*model.looks.iris)
         grain = np.zeros_like(noise_tile()) if self._draft else noise_tile()
         self._tables = Tables(diffuse_table(), grain, iris, cloth, *tones)
-        self._least = 0.9 * self.camera.millimetres_per_sample(height * self._samples)
-        views = HairViews(self.scene, math.dist(self.camera.eye, self.camera.target), self._least)
-        self._hair_views = views if views.reliable else None
+        self._hair_views: HairViews | None = None
+        self.look_from(self.camera)
         self._allocate()
+
+    def look_from(self, camera: Camera) -> None:
+        """Draw from another place from now on."""
+        width, height = (side * self._samples for side in self.size)
+        self.camera = camera
+        self._eye = np.asarray(camera.eye, np.float32)
+        self._matrix = camera.matrix(width, height)
+        self._least = 0.9 * camera.millimetres_per_sample(height)
+        distance = math.dist(camera.eye, camera.target)
+        if self._hair_views is None or not self._hair_views.fit(distance, self._least):
+            views = HairViews(self.scene, distance, self._least)
+            self._hair_views = views if views.reliable else None
 
     def _allocate(self) -> None:
         """Allocate the buffers that a picture is drawn with."""
@@ -156,6 +165,11 @@ class SoftwareRenderer:
     def shape(self) -> tuple[int, int, int]:
         """Height, width and channels of the pictures."""
         return (self.size[1], self.size[0], 3 if self._drawn is None else 4)
+
+    @property
+    def triangles_shown(self) -> Int32Array:
+        """The triangle that each sample (rows, columns) of the last picture shows, -1 for the background."""
+        return self._buffer.ids
 
     def render(
         self, frame: FaceFrame, out: ByteArray | None = None, suppression: Array | None = None

@@ -1,4 +1,4 @@
-"""The doctor: find rules, habits and entries without errors that have no effect or another one."""
+"""The doctor: find valid rules, habits and entries that have no effect, or not the one they state."""
 
 from __future__ import annotations
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import os
 import tempfile
 from collections.abc import Awaitable, Callable
 from functools import lru_cache
-from importlib import resources
 from pathlib import Path
+from typing import Any
 
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
@@ -14,21 +15,18 @@ from starlette.responses import FileResponse, JSONResponse, PlainTextResponse, R
 from starlette.routing import BaseRoute, Mount, Route
 from starlette.staticfiles import StaticFiles
 
+from ..browser import ROOT
 from ..errors import unknown
 from ..face.head import load_head, shipped_heads
 from ..ports.glb import rig_scene
 from ..ports.gltf import Gltf
-from ..ports.page_modules import WEB as PARTS
 from .choices import NAMES
 
-WEB = Path(str(resources.files(__package__) / "web"))
 FILES = {
-    "/": WEB / "index.html",
-    "/live.css": WEB / "live.css",
-    "/page.js": WEB / "page.js",
-    "/risorius-live.js": WEB / "risorius-live.js",
-    # Browsers ask for it beside every answer that is no page.
-    "/favicon.ico": PARTS / "icon.svg",
+    "/": ROOT / "live" / "index.html",
+    "/risorius-live.js": ROOT / "live" / "risorius-live.js",
+    # Browsers ask for it beside every answer that is not a page.
+    "/favicon.ico": ROOT / "icon.svg",
 }
 KEPT = 3
 """Heads whose files are kept, of 16 MB each."""
@@ -44,8 +42,25 @@ def routes() -> list[BaseRoute]:
 
 
 def parts() -> Mount:
-    """Return the route of what the page has in common with others."""
-    return Mount("/web", StaticFiles(directory=PARTS))
+    """Return the route of all that pages are made of."""
+    return Mount("/web", PageFiles(directory=ROOT))
+
+
+class PageFiles(StaticFiles):
+    """The files of the pages. The browser asks each time whether they have changed.
+
+    Otherwise it would mix those of two versions of Risorius.
+    """
+
+    def lookup_path(self, path: str) -> tuple[str, os.stat_result | None]:
+        """Return the file at a path; nothing for the package's Python."""
+        return ("", None) if path.endswith((".py", ".pyc")) else super().lookup_path(path)
+
+    def file_response(self, *arguments: Any, **named: Any) -> Response:
+        """Return the answer with a file."""
+        response = super().file_response(*arguments, **named)
+        response.headers["cache-control"] = "no-cache"
+        return response
 
 
 async def about(request: Request) -> Response:

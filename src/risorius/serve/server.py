@@ -31,6 +31,7 @@ from ..web.guard import HOSTS, Guard
 from ..web.listening import HOST, bound, server_config
 from . import limits, pages
 from .client import BUSY, Gate, LiveClient
+from .pictures import PictureServer
 
 PORT = 8766
 LOG = logging.getLogger(__name__)
@@ -84,11 +85,12 @@ class LiveServer:
         """Return the application."""
         hosts = HOSTS if is_loopback(self._options.host) else None
         guard = Middleware(Guard, hosts=hosts, origins=tuple(self._options.origins))
-        routes = [Route("/health", self.health), *self.routes(), pages.parts()]
+        pictures = PictureServer(self._options.token)
+        routes = [Route("/health", self.health), *self.routes(), pages.parts(), pictures.route()]
         return Starlette(routes=routes, middleware=[guard], lifespan=self._lifespan)
 
     def routes(self) -> list[BaseRoute]:
-        """Return the routes of the page and its socket, for any server that has those of `pages.parts`."""
+        """Return the routes of the page and its socket; a server also needs `pages.parts` and pictures."""
         return [WebSocketRoute("/live", self.face), *pages.routes()]
 
     async def health(self, request: Request) -> Response:

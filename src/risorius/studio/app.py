@@ -8,9 +8,7 @@ import threading
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
 from functools import lru_cache
-from importlib import resources
 from pathlib import Path
-from typing import Any
 
 from starlette.applications import Starlette
 from starlette.concurrency import run_in_threadpool
@@ -18,15 +16,17 @@ from starlette.middleware import Middleware
 from starlette.requests import Request
 from starlette.responses import FileResponse, JSONResponse, PlainTextResponse, Response
 from starlette.routing import Mount, Route, WebSocketRoute
-from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket
 
 from ..api import speak
+from ..browser import ROOT
 from ..errors import InputError, RisoriusError, unknown
 from ..face.head import shipped_heads
 from ..ports.head_glb import head_glb
 from ..ports.head_shade import shade
 from ..ports.skin_formulas import skin_tables
+from ..serve.pages import parts
+from ..serve.pictures import PictureServer
 from ..serve.server import LiveServer, ServeOptions
 from ..web.guard import Guard
 from . import limits, session_list
@@ -39,7 +39,6 @@ from .shared_session import SharedSession
 from .solvers import Solvers, stage_of
 from .uploads import TooLargeError, sweep, to_file, to_memory
 
-WEB = Path(str(resources.files(__package__) / "web"))
 SAME_FOR_AN_HOUR = {"cache-control": "private, max-age=3600"}
 
 
@@ -81,7 +80,8 @@ class Studio:
         """Return the application."""
         routes = [
             Route("/", page),
-            Mount("/web", Files(directory=WEB)),
+            parts(),
+            PictureServer().route(),
             Route("/api/catalogue", catalogue),
             Route("/api/head", head),
             Route("/api/stage", stage),
@@ -229,22 +229,9 @@ def warm_up(solvers: Solvers) -> None:
     _shaded("standard", None, None, None)
 
 
-class Files(StaticFiles):
-    """The page's files, of which a browser asks each time whether they are still the same.
-
-    Else it would put those of two versions of Risorius together.
-    """
-
-    def file_response(self, *arguments: Any, **named: Any) -> Response:
-        """Return the answer with a file."""
-        response = super().file_response(*arguments, **named)
-        response.headers["cache-control"] = "no-cache"
-        return response
-
-
 async def page(request: Request) -> Response:
     """Return the page."""
-    return FileResponse(WEB / "index.html", headers={"cache-control": "no-cache"})
+    return FileResponse(ROOT / "studio" / "index.html", headers={"cache-control": "no-cache"})
 
 
 async def catalogue(request: Request) -> Response:
@@ -259,7 +246,7 @@ async def head(request: Request) -> Response:
 
 
 async def stage(request: Request) -> Response:
-    """Return how a head's faces are unpacked (Stage in `web/wire.js`)."""
+    """Return how a head's faces are unpacked (Stage in `browser/wire.js`)."""
     return await _of_head(request, _described, "application/json")
 
 

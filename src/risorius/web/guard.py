@@ -42,12 +42,13 @@ class Guard:
         """Pass a request on, or refuse it."""
         if scope["type"] not in ("http", "websocket"):
             await self._app(scope, receive, send)
-        elif not self._allowed(Headers(scope=scope)):
+        elif not self.allows(Headers(scope=scope)):
             await _refuse(scope, receive, send)
         else:
             await self._app(scope, receive, _with_headers(send))
 
-    def _allowed(self, headers: Headers) -> bool:
+    def allows(self, headers: Headers) -> bool:
+        """Tell whether a request with these headers is from a page of ours, to a host that is known."""
         hosts = headers.getlist("host")
         if len(hosts) != 1 or (self._hosts is not None and _name(hosts[0]) not in self._hosts):
             return False

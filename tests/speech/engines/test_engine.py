@@ -52,7 +52,7 @@ def test_another_engine_by_registration() -> None:
     try:
         said = synthesize("Two words.", engine=load_engine("beeper"), lead=0.1)
     finally:
-        del ENGINES._entries["beeper"]
+        ENGINES.forget("beeper")
     assert said.audio.sample_rate == 8000
     assert [phone.symbol for phone in said.phones] == ["", "B", "AA", "B", "AA"]
     assert [(word.text, round(word.start, 3)) for word in said.words] == [("Two", 0.1), ("words", 0.3)]

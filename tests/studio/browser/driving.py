@@ -29,21 +29,16 @@ _FLAGS = (
     "--use-fake-device-for-media-stream",  # a microphone that beeps
     "--use-fake-ui-for-media-stream",
 )
-
-STILLS = """
-const { Still } = await import("/web/stage/still.js");
-const { prototype } = Still;
-window.makeStill ??= prototype.make;
-prototype.make = arguments[0] ? window.makeStill : async () => false;
-if (arguments[0]) studio.headPlayers.stage.invalidate();
-"""
+_NO_WEBGL = ("--disable-gpu", "--disable-webgl", "--disable-3d-apis")
+WITHOUT_WEBGL = (*(flag for flag in _FLAGS if "swiftshader" not in flag and "gl=" not in flag), *_NO_WEBGL)
+"""Flags of a browser that cannot draw in 3D."""
 
 
-def open_browser(profile: Path) -> Chrome:
+def open_browser(profile: Path, flags: tuple[str, ...] = _FLAGS) -> Chrome:
     """Return a browser with a profile of its own, its page 1280 by 720."""
     options = ChromeOptions()
     options.binary_location = str(CHROMIUM)
-    for flag in (*_FLAGS, f"--user-data-dir={profile}"):
+    for flag in (*flags, f"--user-data-dir={profile}"):
         options.add_argument(flag)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     driver = Chrome(options=options, service=Service(str(DRIVER)))
@@ -56,23 +51,17 @@ def open_browser(profile: Path) -> Chrome:
 class Page:
     """The studio's page in the browser."""
 
-    def __init__(self, driver: Chrome, url: str) -> None:
-        self.driver, self.url = driver, url
+    def __init__(self, driver: Chrome, url: str, graphics: str = "coarse") -> None:
+        """`graphics` is how the page draws: the coarse head, which comes in time, unless told."""
+        self.driver, self.url, self.graphics = driver, url, graphics
         self.session = ""
 
     def open(self, session: str) -> None:
         """Show a session, and wait until the page has its server: its buttons are dead before."""
         self.session = session
         self.driver.get("about:blank")
-        self.driver.get(f"{self.url}#{session}")
+        self.driver.get(f"{self.url}?graphics={self.graphics}#{session}")
         self.wait("window.studio?.store.get('catalogue') && window.studio.store.get('link') === 'up'")
-        # Pictures made while the page is idle would take the time of the tests after it.
-        self.run("const { baked } = studio.headPlayers.stage; if (baked) baked.on = false")
-        self.make_stills(False)
-
-    def make_stills(self, on: bool) -> None:
-        """Let the page make fine pictures of the head at rest, or not: they take the time of other tests."""
-        self.run(STILLS, on)
 
     def run(self, body: str, *given: Any) -> Any:
         """Return what an asynchronous function with this body returns; `given` are its `arguments`."""

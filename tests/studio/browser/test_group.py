@@ -95,7 +95,7 @@ def test_a_box_selects_what_it_touches_and_delete_deletes_it_at_once(timeline: T
     timeline.page.run("""
       const { scene, controller } = timeline;
       const row = scene.body.find(({ lane }) => lane?.channel === "signals");
-      const { DragBox } = await import("/web/timeline/group.js");
+      const { DragBox } = await import("/web/timeline/edit/group.js");
       const y = scene.headHeight - scene.scroll + row.y;
       const box = new DragBox(controller, 0, y + 1, false);
       box.move(scene.width, y + row.height - 2);

@@ -48,8 +48,6 @@ def test_a_line_is_heard_and_seen(performed: Page) -> None:
 SEEN_AND_HEARD = """
   const [from, to, delay] = arguments;
   const { clock, headPlayers: { stage, players: [player] } } = studio;
-  if (stage.baked) stage.baked.on = false; // fine pictures, made while nothing is done, lie over the canvas
-  stage.baked?.forget();
   const pen = new OffscreenCanvas(48, 48).getContext("2d", { willReadFrequently: true });
   const canvas = document.getElementById("head");
   const look = () => {
@@ -95,7 +93,6 @@ SEEN_AND_HEARD = """
     }
   }
   stage.playing = false;
-  if (stage.baked) stage.baked.on = true;
   const apart = (a, b) => a.reduce((sum, value, k) => sum + (value - b[k]) ** 2, 0);
   return seen.filter(([heard]) => from + 0.2 < heard && heard < to).map(([heard, picture]) => {
     const far = known.map(([, other]) => apart(picture, other));

@@ -9,7 +9,7 @@ import pytest
 
 from risorius.take import Take
 
-from .driving import Page
+from .driving import WITHOUT_WEBGL, Page, open_browser
 
 CLICK = """
   const block = [...document.querySelectorAll(".block")].find((one) => one.block.targets?.masseter);
@@ -56,8 +56,32 @@ def test_the_page_plays_from_a_file_and_a_click_explains(played: Page, written: 
     assert played.complaints() == []
 
 
-def test_what_is_drawn_finely_lies_over_the_head_alone(played: Page) -> None:
-    played.wait("document.querySelector('.still')?.hidden === false")
-    rect = "document.querySelector('{}').getBoundingClientRect().toJSON()"
-    head, fine = (played.get(rect.format(one)) for one in ("#head", ".still"))
-    assert fine == pytest.approx(head)
+def test_without_a_graphics_card_the_coarse_head_plays(played: Page) -> None:
+    drawn = played.get("window.played.stage.drawn")
+    played.run("window.played.clock.seek(0.5)")
+    played.wait(f"window.played.stage.drawn > {drawn}")
+    triangles = played.run("""
+      const { group } = window.played.figure;
+      let count = 0;
+      group.traverse(({ visible, geometry }) => {
+        if (visible && geometry?.index) count += geometry.index.count / 3;
+      });
+      return count;
+    """)
+    assert 1_000 < triangles < 60_000
+
+
+def test_without_webgl_the_file_is_heard_and_explained(written: Path, tmp_path: Path) -> None:
+    driver = open_browser(tmp_path, WITHOUT_WEBGL)
+    try:
+        page = Page(driver, written.as_uri())
+        driver.get(written.as_uri())
+        page.wait("window.played && !document.getElementById('play').disabled")
+        assert "no WebGL 2" in page.get("document.getElementById('note').textContent")
+        page.run(f"window.played.clock.seek(0.5); {CLICK}")
+        assert "from lips: /" in page.get("document.getElementById('explanation').textContent")
+        page.run("window.played.clock.play()")
+        page.wait("window.played.clock.time > 0.8")
+        assert page.complaints() == []
+    finally:
+        driver.quit()

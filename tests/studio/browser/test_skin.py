@@ -21,7 +21,7 @@ from risorius.studio.solvers import stage_of
 from .driving import Page
 
 FIGURE = """
-  const { Heads } = await import("/web/heads.js");
+  const { Heads } = await import("/web/studio/heads.js");
   const { unpackFaces } = await import("/web/stage/faces.js");
   const figure = await new Heads().get({ head: "standard" });
   const { faces } = unpackFaces(Uint8Array.from(atob(arguments[0]), (c) => c.charCodeAt(0)).buffer);
@@ -44,7 +44,7 @@ DRAWN = """
   camera.updateMatrixWorld();
   const gl = renderer.getContext();
   const picture = () => {
-    figure.ready(true, camera, side, renderer);
+    figure.ready(camera, side, renderer);
     renderer.render(scene, camera);
     const bytes = new Uint8Array(4 * side * side);
     gl.readPixels(0, 0, side, side, gl.RGBA, gl.UNSIGNED_BYTE, bytes);

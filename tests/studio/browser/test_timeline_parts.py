@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import pytest
 
 from .driving import Page
@@ -38,7 +36,7 @@ LONG_TAKE = """
 
 MOUNT = """
   const [{ mountTimeline }, { Store }, { Clock }] = await Promise.all(
-    ["timeline/index.js", "store.js", "clock.js"].map((name) => import(`/web/${name}`)));
+    ["timeline/index.js", "studio/store.js", "player/clock.js"].map((name) => import(`/web/${name}`)));
   const catalogue = await (await fetch("/api/catalogue")).json();
   const element = document.createElement("div");
   Object.assign(element.style, { position: "fixed", inset: "0", height: "600px", zIndex: "9" });
@@ -92,115 +90,6 @@ def test_a_take_without_any_movement_is_drawn(page: Page) -> None:
     rest = "{ ...take, take: 2, speech: null, blocks: [], curves: {}, duration: 0.2, frames: 7 }"
     count = drawn(page, 5, f"store.set({{ take: {rest} }}); await new Promise(requestAnimationFrame)")
     assert (count["blocks"], count["points"]) == (0, 0)
-
-
-EDGES = "new Float64Array([0, 0.5, 1.0, 1.5, 2.0])"
-
-
-@pytest.mark.parametrize(
-    ("asked", "expected"),
-    [
-        ("moved([1, 1.2, 1.5, 2], 0.5, 3)", [1.5, 1.7, 2.0, 2.5]),
-        ("moved([1, 1.2, 1.5, 2], -9, 3)", [0, 0.2, 0.5, 1.0]),
-        ("moved([1, 1.2, 1.5, 2], 9, 3)", [2.0, 2.2, 2.5, 3.0]),
-        ("pulled([1, 1.2, 1.5, 2], 0, 0.5, 3)", [0.5, 0.7, 1.5, 2]),
-        ("pulled([1, 1.2, 1.5, 2], 3, 2.5, 3)", [1, 1.2, 2.0, 2.5]),
-        ("pulled([1, 1.2, 1.5, 2], 1, 1.8, 3)", [1, 1.5, 1.5, 2]),
-        ("pulled([1, 1.2, 1.5, 2], 2, 1.0, 3)", [1, 1.2, 1.2, 2]),
-        ("pulled([1, 1.2, 1.5, 2], 3, 1.35, 3)", [1, 1.1, 1.1, 1.35]),
-        (f"snappedBy({EDGES}, [0.9, 1, 1.1, 1.48], 0.05)", 0.02),
-        (f"snappedBy({EDGES}, [0.7, 1, 1.1, 1.3], 0.05)", 0),
-        ("editOf([1, 1.2, 1.5, 2], [1.5, 1.7, 2, 2.5])", {"kind": "move", "fields": {"start": 1.5}}),
-        ("editOf([1, 1.2, 1.5, 2], [1, 1.2, 2, 2.5])", {"kind": "stretch", "fields": {"end": 2.5}}),
-        ("editOf([1, 1.2, 1.5, 2], [1, 1.4, 1.5, 2])", {"kind": "stretch", "fields": {"onset": 0.4}}),
-        ("editOf([1, 1.2, 1.5, 2], [1, 1.2, 1.5, 2])", None),
-    ],
-)
-def test_times_of_a_block(page: Page, asked: str, expected: Any) -> None:
-    names = "{ moved, pulled, snappedBy, editOf }"
-    found = page.run(f"const {names} = await import('/web/timeline/times.js'); return {asked}")
-    assert _near(found, expected), found
-
-
-def _near(found: Any, expected: Any) -> bool:
-    if isinstance(expected, dict):
-        return found["kind"] == expected["kind"] and found["fields"] == pytest.approx(expected["fields"])
-    return bool(found == expected if expected is None else found == pytest.approx(expected))
-
-
-def test_stacked_spans_do_not_hide_each_other(page: Page) -> None:
-    clashes = page.run("""
-      const { stacked } = await import("/web/timeline/spans.js");
-      let seed = 7;
-      const random = () => (seed = (seed * 16807) % 2147483647) / 2147483647;
-      const items = Array.from({ length: 400 }, (_, k) => {
-        const start = 60 * random();
-        return { start, end: start + 3 * random(), layer: `l${k % 7}` };
-      });
-      const { rows } = stacked(items);
-      return items.flatMap((a, i) => items.slice(i + 1).filter((b) =>
-        rows.get(a) === rows.get(b) && a.start < b.end - 1e-6 && b.start < a.end - 1e-6)).length;
-    """)
-    assert clashes == 0
-
-
-def test_spans_in_sight_are_those_that_touch_it(page: Page) -> None:
-    agreed = page.run("""
-      const { Spans } = await import("/web/timeline/spans.js");
-      let seed = 3;
-      const random = () => (seed = (seed * 16807) % 2147483647) / 2147483647;
-      const items = Array.from({ length: 300 }, () => {
-        const start = 50 * random();
-        return { start, end: start + (random() < 0.1 ? 30 : 1) * random() };
-      });
-      const spans = new Spans(items);
-      return Array.from({ length: 60 }, (_, k) => {
-        const found = [...spans.within(k, k + 1)];
-        const wanted = items.filter(({ start, end }) => start <= k + 1 && end >= k);
-        return found.length === wanted.length && wanted.every((item) => found.includes(item));
-      }).every(Boolean);
-    """)
-    assert agreed
-
-
-def test_a_pyramid_finds_the_extremes_of_any_stretch(page: Page) -> None:
-    worst = page.run("""
-      const { Pyramid } = await import("/web/timeline/pyramid.js");
-      const values = Float32Array.from({ length: 5000 }, (_, k) => Math.sin(k * k));
-      const pyramid = new Pyramid(values);
-      let worst = 0;
-      for (const [first, last] of [[0, 5000], [17, 18], [100, 900], [4000, 4999], [4999, 5000]]) {
-        const [low, high] = pyramid.range(first, last);
-        const part = values.slice(first, last);
-        worst = Math.max(worst, low - Math.min(...part), Math.max(...part) - high);
-      }
-      return worst;
-    """)
-    assert worst <= 0
-
-
-def test_a_line_is_simplified_within_its_tolerance(page: Page) -> None:
-    kept, far = page.run("""
-      const { simplified } = await import("/web/timeline/keys.js");
-      const line = Array.from({ length: 400 }, (_, k) => [k / 100, Math.sin(k / 40)]);
-      const kept = simplified(line, 0.01);
-      const far = Math.max(...line.map(([time, value]) => {
-        const k = kept.findIndex(([t]) => t >= time);
-        const [[t0, v0], [t1, v1]] = [kept[Math.max(k - 1, 0)], kept[Math.max(k, 1)]];
-        return Math.abs(value - (v0 + ((v1 - v0) * (time - t0)) / (t1 - t0)));
-      }));
-      return [kept.length, far];
-    """)
-    assert kept < 60
-    assert far <= 0.01 + 1e-9
-
-
-def test_a_first_key_is_tied_to_the_curve_around_it(page: Page) -> None:
-    keys = page.run("""
-      const { withKey } = await import("/web/timeline/keys.js");
-      return withKey([], 1, 0.9, { duration: 3, valueAt: (time) => time / 10 });
-    """)
-    assert keys == [pytest.approx([0.85, 0.085]), [1, 0.9], pytest.approx([1.15, 0.115])]
 
 
 def test_names_stay_beside_their_lanes_when_the_page_s_text_grows(page: Page) -> None:

@@ -77,7 +77,7 @@ def test_a_backdrop_has_no_stripes_at_any_scale(performed: Page) -> None:
 def test_the_splitter_says_its_height_before_it_is_moved(performed: Page) -> None:
     performed.run("localStorage.removeItem('risorius-timeline')")
     now = performed.run("""
-      const { mountSplitter } = await import("/web/splitter.js");
+      const { mountSplitter } = await import("/web/studio/splitter.js");
       const bar = document.createElement("div");
       mountSplitter(bar);
       return ["valuemin", "valuenow", "valuemax"].map((name) => Number(bar.getAttribute(`aria-${name}`)));
@@ -118,7 +118,7 @@ def test_a_movement_that_was_moved_is_explained_where_it_is(performed: Page) -> 
 
 def test_a_label_says_what_moves_where_there_is_no_room_for_more(performed: Page) -> None:
     labels = performed.run("""
-      const { labelWithin } = await import("/web/timeline/paint_lanes.js");
+      const { labelWithin } = await import("/web/timeline/paint/paint_lanes.js");
       const context = { measureText: (text) => ({ width: 6 * text.length }) };
       const block = { layer: "brows", label: '"Oh really"' };
       return [200, 40, 20].map((room) => labelWithin(context, block, room));

@@ -70,7 +70,7 @@ class Timeline:
             """
             const [id, time, depth] = arguments;
             const { scene } = timeline;
-            const { blockBand } = await import("/web/timeline/rows.js");
+            const { blockBand } = await import("/web/timeline/model/rows.js");
             const block = scene.model.blocks.get(id);
             const row = scene.body.find(({ lane }) => lane?.channel === block.channel);
             const [top, bottom] = blockBand(row, block);
@@ -98,7 +98,7 @@ class Timeline:
             """
             const [base, time, value] = arguments;
             const { scene } = timeline;
-            const { scaleOf } = await import("/web/timeline/paint_graphs.js");
+            const { scaleOf } = await import("/web/timeline/paint/paint_graphs.js");
             const row = scene.body.find((row) => row.base === base);
             const box = scene.canvas.getBoundingClientRect();
             const y = scene.headHeight - scene.scroll + scaleOf(scene.model, row).y(value);

@@ -152,7 +152,9 @@ def _package() -> Path:
     """Return the folder that holds espeakng_loader. It is only located: the worker imports it."""
     spec = importlib.util.find_spec("espeakng_loader")
     if spec is None or spec.origin is None:
-        raise SpeechError("speech needs the package 'espeakng-loader' (pip install espeakng-loader)")
+        raise SpeechError(
+            "speech needs the package 'espeakng-loader', which is not installed (pip install espeakng-loader)"
+        )
     return Path(spec.origin).parent.parent
 
 

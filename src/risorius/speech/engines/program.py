@@ -55,7 +55,7 @@ class ProgramEngine:
     def speak(self, request: SpeechRequest) -> Rendition:
         """Speak a text; raise SpeechError if the program fails or gives no answer of the form asked for."""
         self._tell(request)
-        return self._read(self._run(request_of(request, self._language)), request)
+        return self.rendition_of(self._run(request_of(request, self._language)), request)
 
     def transcribe(self, words: Sequence[str], voice: Voice) -> tuple[tuple[str, ...], ...]:
         """Return the phones of each word, as espeak-ng reads the language."""
@@ -92,7 +92,8 @@ class ProgramEngine:
             raise self._fault(f"failed with exit code {finished.status}: {finished.complaint}".rstrip(": "))
         return finished.output
 
-    def _read(self, output: bytes, request: SpeechRequest) -> Rendition:
+    def rendition_of(self, output: bytes, request: SpeechRequest) -> Rendition:
+        """Return what a program's answer to a request holds; raise SpeechError if that is wrong."""
         if is_sound_file(output):
             return self._timed(*self._decoded(output), request)
         try:

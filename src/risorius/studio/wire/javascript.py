@@ -1,4 +1,4 @@
-"""`web/wire.js`: the messages and the studio's tables as JSDoc types, by which editors check the page's code.
+"""`browser/wire.js`: the messages and the tables as JSDoc types, by which editors check the page's code.
 
 Run `python -m risorius.studio.wire.javascript` after changing one of them.
 """
@@ -11,16 +11,15 @@ import textwrap
 import types
 import typing
 from collections.abc import Iterator, Mapping
-from importlib import resources
-from pathlib import Path
 from typing import Annotated, Any, Literal
 
+from ...browser import ROOT
 from ...core.key_shapes import KeyShape
 from ...speech.structure.edges_moved import EdgeShift
 from ..tables import TABLES
 from . import answers, events, marks, requests, shared, takes, views
 
-FILE = Path(str(resources.files("risorius.studio") / "web" / "wire.js"))
+FILE = ROOT / "wire.js"
 _PLAIN = {str: "string", bool: "boolean", int: "number", float: "number", object: "any"}
 
 

@@ -1,0 +1,209 @@
+import { adopted, written } from "./drafts.js";
+import { told } from "../parts/dom.js";
+import { changedTake, curvesOf, takeOf } from "../player/take.js";
+import { Work } from "./work.js";
+/** @import {Written} from "../types.js" */
+
+/**
+ * What the user can have done, by name: each asks the server, and puts its answer into the store.
+ *
+ * Whatever changes the take goes through here, so that all parts of the page see one take.
+ * An action that is refused says so in the page's notice, and resolves to null.
+ */
+export class Actions {
+  #store;
+  #connection;
+  #notify;
+  #work;
+
+  /**
+   * @param {import("./store.js").Store} store
+   * @param {import("./connection.js").Connection} connection
+   * @param {(text: string) => void} notify says a line to the user
+   */
+  constructor(store, connection, notify) {
+    this.#store = store;
+    this.#connection = connection;
+    this.#notify = notify;
+    this.#work = new Work(store, connection);
+  }
+
+  /**
+   * Perform the store's source with its emotions and choices anew.
+   * @param {() => void} [arrives] called when the take is here, before anybody is told of it
+   */
+  perform(arrives) {
+    return this.#changing("perform", written(this.#store), "Performing …", arrives);
+  }
+
+  /** Have the server make ready what is written, in case it is performed. */
+  prepare() {
+    // Nothing is lost where it does not.
+    if (this.#store.get("busy") === "") this.#connection.request("prepare", written(this.#store)).catch(() => {});
+  }
+
+  /**
+   * Perform the same source with other choices or emotions; those left out stay.
+   * @param {Partial<Pick<Written, "choices" | "emotions">>} parts `choices` holds only what is other than before
+   */
+  choose({ choices, emotions }) {
+    /** @type {Partial<Written>} */
+    const asked = {};
+    if (choices) asked.choices = { ...this.#store.get("choices"), ...choices };
+    if (emotions) asked.emotions = emotions;
+    this.#store.set(asked);
+    return this.#store.get("take") ? this.#changing("choose", asked, "Performing …") : null;
+  }
+
+  /**
+   * Have a phone begin elsewhere: what moves follows it.
+   * @param {number} phone its index @param {number | null} start seconds; null: where it was found
+   */
+  relabel(phone, start) {
+    return this.#changing("relabel", { phone, start }, "Performing …");
+  }
+
+  /**
+   * Change the score.
+   * @param {string} kind one of the wire's edits: "move", "stretch", "retarget", "add", "delete", "keys", …
+   * @param {Record<string, any>} fields as the wire names them
+   */
+  edit(kind, fields) {
+    return this.#changing("edit", { kind, ...fields }, "");
+  }
+
+  /** Make several changes of the score as one. @param {Record<string, any>[]} edits each with its `kind` */
+  editAll(edits) {
+    return this.#changing("edit_all", { edits }, "");
+  }
+
+  /**
+   * Ask what changes would do together; null where they cannot be made, which is not said: they are not yet wanted.
+   * @param {Record<string, any>[]} edits as those of `editAll`
+   * @param {number | null} face the time at which the face should follow, which is then shown
+   */
+  async preview(edits, face) {
+    this.#store.set({ preview: face !== null });
+    try {
+      const answer = await this.#connection.request("preview_all", { edits, face });
+      if (face !== null) this.#store.set({ tried: curvesOf(answer.curves) });
+      return answer;
+    } catch {
+      return null;
+    }
+  }
+
+  /** Show the take's own face again. */
+  endPreview() {
+    this.#store.set({ preview: false, tried: null });
+  }
+
+  /** Set all markers of the line. @param {import("../wire.js").Marker[]} markers */
+  setMarkers(markers) {
+    return this.#changing("markers", { markers }, "");
+  }
+
+  /** Say which lanes are muted, solo and locked. @param {import("../wire.js").LaneStates} lanes */
+  setLanes(lanes) {
+    return this.#changing("lanes", { lanes }, "");
+  }
+
+  /** Make a change again that did not fit a new text. @param {number} number in the take's `lost` */
+  bringBack(number) {
+    return this.#changing("bring_back", { number }, "");
+  }
+
+  /** Forget the changes that did not fit. */
+  letGo() {
+    return this.#changing("let_go", {}, "");
+  }
+
+  /** Take back the last change. */
+  undo() {
+    return this.#store.get("take")?.undoes ? this.#changing("undo", {}, "") : null;
+  }
+
+  /** Show again what was here before a project was opened. */
+  undoOpening() {
+    return this.#changing("undo", { opened: true }, "");
+  }
+
+  /** Make the change that was taken back last again. */
+  redo() {
+    return this.#store.get("take")?.redoes ? this.#changing("redo", {}, "") : null;
+  }
+
+  /**
+   * Point at something: everything that shows details follows.
+   * @param {{time?: number | null, parameter?: string | null, movement?: string | null}} selection
+   */
+  select({ time = null, parameter = null, movement = null }) {
+    this.#store.set({ selection: { time, parameter, movement } });
+  }
+
+  /**
+   * Ask the server for anything else; null if it refuses, with its line shown.
+   * @param {string} verb @param {Record<string, any>} [fields]
+   */
+  async ask(verb, fields = {}) {
+    try {
+      return await this.#connection.request(verb, fields);
+    } catch (error) {
+      this.#notify(told(error));
+      return null;
+    }
+  }
+
+  /**
+   * The same for what may take long: how far it is is shown meanwhile, and it can be stopped.
+   * @param {string} verb @param {Record<string, any>} fields @param {string} busy what is being done
+   * @returns {Promise<any>} null also where it was stopped
+   */
+  async work(verb, fields, busy) {
+    try {
+      return await this.#work.request(verb, fields, busy);
+    } catch (error) {
+      if (told(error) !== "stopped") this.#notify(told(error));
+      return null;
+    }
+  }
+
+  /**
+   * Do what takes long beside the socket; it can be stopped, too.
+   * @template T @param {string} busy @param {(signal: AbortSignal) => Promise<T>} work
+   */
+  during(busy, work) {
+    return this.#work.during(busy, work);
+  }
+
+  /** Stop what takes long. */
+  stop() {
+    this.#work.stop();
+  }
+
+  /** @param {string} verb @param {Record<string, any>} fields @param {string} busy @param {() => void} [arrives] */
+  async #changing(verb, fields, busy, arrives = () => {}) {
+    this.#store.set({ saved: "saving" });
+    const answer = await (busy ? this.work(verb, fields, busy) : this.ask(verb, fields));
+    if (answer === null) this.#store.set({ saved: "saved" });
+    else {
+      arrives();
+      this.#take(answer, fields);
+    }
+    return answer;
+  }
+
+  /**
+   * Put the answer to a change into the store: a whole take, or what became other in it.
+   * @param {any} answer @param {Partial<Written>} asked
+   */
+  #take(answer, asked) {
+    const before = this.#store.get("take");
+    const whole = answer.duration !== undefined || answer.whole;
+    const take = answer.duration === undefined ? changedTake(/** @type {import("./store.js").Take} */ (before), answer) : takeOf(answer);
+    const [first, last] = whole ? [0, take.frames] : [answer.from_frame, answer.to_frame];
+    const made = adopted(this.#store, before?.made, take.made, asked);
+    this.#store.set({ take, faces: { take: take.take, first, last }, dial: null, ...made });
+    for (const line of take.warnings) this.#notify(line);
+  }
+}

@@ -1,0 +1,122 @@
+/**
+ * What is written but not performed. The server keeps it with the session, and this tab keeps it, too: it must
+ * survive a reload, a lost connection, undo, and a take that another tab performs.
+ */
+
+import { settled } from "../parts/dom.js";
+/** @import {Store} from "./store.js" */
+/** @import {Studio} from "./studio.js" */
+/** @import {Written} from "../types.js" */
+
+/** @type {("source" | "choices" | "emotions")[]} */
+export const PARTS = ["source", "choices", "emotions"];
+
+/** What is written before anything is. @type {Pick<import("./store.js").Parts, "source" | "emotions">} */
+export const NOTHING = { source: { script: "", format: "text", recording: null, edges: [] }, emotions: [] };
+
+const WAIT = 600; // ms after the last letter at which the server is told
+const KEY = "risorius-draft";
+
+/** Whether two parts of the store say the same. @param {unknown} a @param {unknown} b */
+export const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+
+/** The parts of the store of which a take is made. @param {Store} store @returns {Written} */
+export function written(store) {
+  return { source: store.get("source"), choices: store.get("choices"), emotions: store.get("emotions") };
+}
+
+/**
+ * Whether what is written is other than what was performed (or than nothing, before the first take).
+ * @param {Store} store
+ */
+export function isDraft(store) {
+  const made = store.get("take")?.made;
+  if (made) return PARTS.some((name) => !same(store.get(name), made[name]));
+  const { script, recording } = store.get("source");
+  return script !== "" || recording !== null || store.get("emotions").length > 0;
+}
+
+/**
+ * The parts of `now` that take the place of those in the store: what the user has written since stays.
+ * @param {import("./store.js").Store} store
+ * @param {Record<string, any> | undefined} before what the take before was made of
+ * @param {Record<string, any>} now what the take is made of
+ * @param {Record<string, any>} [asked] the parts with which it was asked for
+ */
+export function adopted(store, before, now, asked = {}) {
+  const names = PARTS.filter((name) => {
+    const own = store.get(name);
+    return !same(own, now[name]) && (own === asked[name] || (before && same(own, before[name])));
+  });
+  return Object.fromEntries(names.map((name) => [name, now[name]]));
+}
+
+/** Show what was performed; what was written instead can be brought back. @param {Store} store */
+export function putAside(store) {
+  if (!isDraft(store)) return;
+  store.set({ aside: written(store), ...(store.get("take")?.made ?? NOTHING) });
+}
+
+/** Write again what was put aside. @param {Store} store */
+export function bringBack(store) {
+  const aside = store.get("aside");
+  if (aside) store.set({ aside: null, ...aside });
+}
+
+/**
+ * Keep what is written, in this tab at once, with the server as soon as nobody writes on. To be called when the
+ * session is open: before, nothing is written yet.
+ * @param {Studio} studio
+ */
+export function keepDraft({ store, connection }) {
+  let waits = false; // whether the server is not told yet
+  const tell = () => {
+    if (store.get("link") !== "up") return; // it is sent when the session opens again
+    waits = false;
+    /** @param {"saved" | "saving"} draft */
+    const done = (draft) => store.get("draft") === "saving" && store.set({ draft });
+    connection.request("draft", written(store)).then(
+      () => done("saved"),
+      () => done("saving"),
+    );
+  };
+  const send = settled(tell, WAIT);
+  addEventListener("pagehide", () => waits && tell());
+  let known = "null";
+  const keep = () => {
+    const now = JSON.stringify(isDraft(store) ? written(store) : null);
+    if (now === known) return;
+    known = now;
+    remember(store.get("session"), now);
+    store.set({ draft: "saving" });
+    waits = true;
+    send();
+  };
+  store.watch([...PARTS, "take"], keep);
+  store.watch(["link"], () => known !== "null" && send());
+}
+
+/** @param {string} session @param {string} text */
+function remember(session, text) {
+  try {
+    if (text === "null") sessionStorage.removeItem(`${KEY}-${session}`);
+    else sessionStorage.setItem(`${KEY}-${session}`, text);
+  } catch {
+    // A text too long for the tab's store is still kept by the server.
+  }
+}
+
+/**
+ * What this tab had written when it was left, if it was not performed; settings that are no more are left out.
+ * @param {string} session @param {Record<string, any>} choices all that there are
+ */
+export function remembered(session, choices) {
+  try {
+    const draft = JSON.parse(sessionStorage.getItem(`${KEY}-${session}`) ?? "null");
+    if (draft === null) return null;
+    const kept = Object.entries(draft.choices).filter(([name]) => name in choices);
+    return { ...draft, choices: { ...choices, ...Object.fromEntries(kept) } };
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,66 @@
+import { curvesOf } from "../../player/take.js";
+
+/**
+ * The curves, and the face where the playhead stands, as they would be with the changes that are being made by hand:
+ * one question at a time, the newest when the answer is there.
+ */
+export class Preview {
+  #actions;
+  #changed;
+  /** @type {import("../model/model.js").Model | null} */
+  #model = null;
+  /** @type {Record<string, any>[] | null} edits of the wire */
+  #wanted = null;
+  #busy = false;
+  #standing;
+
+  /**
+   * @param {import("../../studio/actions.js").Actions} actions @param {() => void} changed
+   * @param {() => number | null} standing where the playhead stands; null while it runs
+   */
+  constructor(actions, changed, standing) {
+    this.#actions = actions;
+    this.#changed = changed;
+    this.#standing = standing;
+  }
+
+  /** @param {import("../model/model.js").Model} model whose curves are shown otherwise */
+  setModel(model) {
+    this.#model = model;
+  }
+
+  /** See to it that the curves with some edits are shown. @param {Record<string, any>[]} edits */
+  show(edits) {
+    if (edits.length === 0) this.end();
+    else {
+      this.#wanted = edits;
+      this.#ask();
+    }
+  }
+
+  /** Show the take's own curves again. */
+  end() {
+    this.#wanted = null;
+    this.#put(new Map());
+    this.#actions.endPreview();
+  }
+
+  async #ask() {
+    if (this.#busy || this.#wanted === null) return;
+    this.#busy = true;
+    const asked = this.#wanted;
+    const answer = await this.#actions.preview(asked, this.#standing());
+    this.#busy = false;
+    // What has been let go of or taken up meanwhile is no preview any more.
+    if (this.#wanted && answer?.take === this.#model?.take.take) this.#put(curvesOf(answer.curves));
+    if (this.#wanted === asked) this.#wanted = null;
+    this.#ask();
+  }
+
+  /** @param {Map<string, Float32Array | null>} curves */
+  #put(curves) {
+    if (!this.#model || (this.#model.previewed.size === 0 && curves.size === 0)) return;
+    this.#model.previewed = curves;
+    this.#changed();
+  }
+}

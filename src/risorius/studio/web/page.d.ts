@@ -1,9 +1,0 @@
-// What the page adds to the browser's own types.
-import type { Studio } from "./studio.js";
-
-declare global {
-  interface Window {
-    studio: Studio; // for the curious, and for tests
-    played: object;
-  }
-}
