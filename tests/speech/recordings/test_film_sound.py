@@ -19,7 +19,15 @@ from risorius.speech.recordings.recording import read_recording
 SECONDS = 0.5
 
 
-def film(path: Path, codec: str, rate: int = 48_000, *, pictures: bool = False, sound: bool = True) -> Path:
+def film(
+    path: Path,
+    codec: str,
+    rate: int = 48_000,
+    *,
+    pictures: bool = False,
+    sound: bool = True,
+    seconds: float = SECONDS,
+) -> Path:
     """Write a film with a tone of 220 Hz on the left channel."""
     with av.open(str(path), "w") as container:
         video = container.add_stream("mpeg4", rate=10) if pictures else None
@@ -31,7 +39,7 @@ def film(path: Path, codec: str, rate: int = 48_000, *, pictures: bool = False, 
                 container.mux(video.encode(frame))
             container.mux(video.encode(None))
         if stream is not None:
-            times = np.arange(round(SECONDS * rate)) / rate
+            times = np.arange(round(seconds * rate)) / rate
             left = (9_000 * np.sin(2 * np.pi * 220 * times)).astype(np.int16)
             frame = av.AudioFrame.from_ndarray(
                 np.stack([left, 0 * left], 1).reshape(1, -1), format="s16", layout="stereo"
@@ -103,7 +111,7 @@ def test_a_decoder_that_says_nothing_is_given_up(tmp_path: Path, monkeypatch: py
 
 
 def test_a_decoder_that_dies_is_told(tmp_path: Path) -> None:
-    path = film(tmp_path / "x.m4a", "aac")
+    path = film(tmp_path / "x.m4a", "aac", seconds=10.0)  # more than a socket holds
     with FilmSound(path, "mov", Place(str(path))) as sound:
         os.kill(sound._worker.pid, signal.SIGKILL)
         with pytest.raises(InputError, match=r"x\.m4a: cannot be .*the decoder ended .*\(signal 9\)"):
