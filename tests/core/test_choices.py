@@ -5,7 +5,6 @@ from __future__ import annotations
 import inspect
 
 import pytest
-from risorius.speech.say import say
 
 from risorius.blend.conflict import POLICIES
 from risorius.blend.mouth.coarticulation import LIP_MODELS
@@ -17,7 +16,7 @@ from risorius.render.lights import DARK, DAYLIGHT, RIGS, STUDIO
 from risorius.rules.expressions import expressions
 from risorius.rules.lips import lip_table
 from risorius.settings import BlendChoices, Settings
-from risorius.speech.synthesis import synthesize
+from risorius.speech.synthesis import synthesize_line, synthesize_script
 
 
 @pytest.mark.parametrize("value", [79, 441, float("nan")])
@@ -28,7 +27,7 @@ def test_what_is_out_of_range_is_not_allowed(value: float) -> None:
 @pytest.mark.parametrize("name", ["lead", "tail"])
 def test_a_silence_that_settings_refuse_is_refused_by_the_voice(name: str) -> None:
     with pytest.raises(ParameterError, match=f"{name} 61 is out of range; expected 0 to 60 seconds"):
-        synthesize("Hello.", **{name: 61})  # type: ignore[arg-type]
+        synthesize_line("Hello.", **{name: 61})  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(
@@ -58,5 +57,5 @@ def test_defaults_of_a_score_and_of_a_plan_are_those_that_stand_here() -> None:
 
 def test_silences_around_a_script_are_those_of_the_settings() -> None:
     usual = {name: rows(Settings)[name].default for name in ("lead", "tail")}
-    said = inspect.signature(say).parameters
+    said = inspect.signature(synthesize_script).parameters
     assert usual == {name: said[name].default for name in usual} == {"lead": 0.5, "tail": 0.7}
