@@ -44,9 +44,9 @@ from .registry import FuzzedReader
 CASES = int(os.environ.get("RISORIUS_FUZZ", samples(2000, 12)))
 COUNTED = samples(18_000, 144)
 PACKAGE_TABLES = {
-    "Articulation", "Attitude", "BmlTable", "Bulge", "EdgeTable", "Expression", "FuzzyTable", "MarkupTable",
-    "Priors", "ProsodyRules", "RegionRow", "Saccade", "SsmlTable", "Synchrony", "Tradeoffs", "Viseme",
-    "VoiceEmotions",
+    "Articulation", "Attitude", "BmlTable", "Bulge", "Expression", "FuzzyTable", "MarkupTable",
+    "PhoneInventory", "Priors", "ProsodyRules", "RegionRow", "Saccade", "SsmlTable", "Synchrony", "Tradeoffs",
+    "Viseme", "VoiceEmotions",
 }  # fmt: skip
 """Tables that only the package's own files hold."""
 PARSERS = {
