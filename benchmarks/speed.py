@@ -83,7 +83,9 @@ def measured(row: Row, tree: Path) -> float:
         paths = os.pathsep.join([str(tree / "src"), str(ROOT / "benchmarks")])
         variables = {**os.environ, "PYTHONPATH": paths, "OPENBLAS_NUM_THREADS": "1"}
         if row.fresh:
-            variables["NUMBA_CACHE_DIR"] = str(Path(folder) / "cache")
+            # The second is what older trees read.
+            for name in ("RISORIUS_CACHE_DIR", "NUMBA_CACHE_DIR"):
+                variables[name] = str(Path(folder) / "cache")
         command = [sys.executable, "-c", row.program]
         complaints = Path(folder) / "complaints"
         with complaints.open("w") as errors:

@@ -38,11 +38,11 @@ MAY_IMPORT: Mapping[str, set[str]] = {
     "speech": {"core", "machine", "languages", "rules", "script"},
     "channels": WORDS - {"machine"},
     "blend": {"core"},
-    "face": {"core"},
+    "face": {"core", "machine"},
     "settings": {"core", "rules", "speech", "blend", "face"},
     "presets": {"core", "settings"},
-    "looks": {"core", "face", "settings"},
-    "render": {"core", "face", "settings", "looks"},
+    "looks": {"core", "machine", "face", "settings"},
+    "render": {"core", "machine", "face", "settings", "looks"},
     "ports": {"core", "machine", "browser", "languages", "script", "face", "looks", "render"},
     "unused_settings": {"core", "speech", "ports", "settings"},
     "notebook": {"core", "render"},
@@ -69,13 +69,15 @@ ENCODER = "risorius.ports.video.worker"
 LIGHT = {"av", "numpy"}
 NAMED = re.compile(r"([a-z_]+(?:\.[a-z_]+)+):\w+")
 # Where modules are imported by a name that is not a literal there: one that a test sees elsewhere, or that of
-# a file of the same package.
+# a file of the same package, or those of all kernels.
 BY_NAME = {
     "__init__.py",
     "channels/registry.py",
     "core/names.py",
     "notebook/shown_take.py",
     "languages/load.py",
+    "machine/build.py",
+    "machine/compile.py",
     "machine/worker.py",
     "ports/formats.py",
     "render/protocol.py",

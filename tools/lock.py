@@ -1,6 +1,6 @@
 """Writes `requirements/`: the packages with which Risorius is tested, each with the digests of its files.
 
-    pip install --dry-run --ignore-installed --report 311.json ".[test,site]" hatchling editables
+    pip install --dry-run --ignore-installed --report 311.json ".[test,site]" hatchling editables numba
     python tools/lock.py 311.json
     pip install --dry-run --ignore-installed --report bpy.json bpy
     python tools/lock.py bpy.json
@@ -23,7 +23,7 @@ from typing import Any
 
 ROOT = Path(__file__).parents[1]
 FOLDER = ROOT / "requirements"
-BUILD = ("hatchling", "editables")
+BUILD = ("hatchling", "editables", "numba")
 BLENDER = "bpy"
 _EXTRAS = re.compile(r"[A-Za-z0-9._-]+\s*\[([^\]]*)\]")
 _EXTRA = re.compile(r"extra == [\"']([^\"']*)")

@@ -12,6 +12,7 @@ SIGNALS = {"scipy.signal", "scipy.stats", "scipy.interpolate", "scipy.optimize"}
 """What scipy imports slowly, and nothing of ours needs for a performance."""
 FACE = {
     "numba",
+    "llvmlite",
     "scipy.ndimage",
     "scipy.spatial",
     "scipy.sparse",
@@ -25,7 +26,7 @@ FACE = {
     ("outputs", "unneeded"),
     [
         (["x.TextGrid", "x.muscles.csv"], SIGNALS | FACE),
-        pytest.param(["x.png"], SIGNALS, marks=pytest.mark.full),
+        pytest.param(["x.png"], SIGNALS | {"numba"}, marks=pytest.mark.full),
     ],
     ids=["speech and curves", "picture"],
 )

@@ -8,6 +8,7 @@ import pytest
 
 from risorius.core import array_cache as module
 from risorius.core.array_cache import cached_arrays
+from risorius.errors import RisoriusWarning
 
 GIVEN = [np.arange(3.0), np.eye(2, dtype=np.float32)]
 FOUND = (np.array([1.5, np.nan]), np.arange(4, dtype=np.int32).reshape(2, 2))
@@ -26,7 +27,7 @@ class Finder:
 
 @pytest.fixture
 def find(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Finder:
-    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "cache"))
+    monkeypatch.setenv("RISORIUS_CACHE_DIR", str(tmp_path / "cache"))
     return Finder()
 
 
@@ -45,7 +46,8 @@ def test_a_damaged_file_is_found_anew(find: Finder, tmp_path: Path) -> None:
 
 def test_a_folder_that_cannot_be_written_costs_time_only(find: Finder, tmp_path: Path) -> None:
     (tmp_path / "cache").write_text("no folder")
-    np.testing.assert_array_equal(cached_arrays("x", GIVEN, find)[0], FOUND[0])
+    with pytest.warns(RisoriusWarning, match="cannot be written"):
+        np.testing.assert_array_equal(cached_arrays("x", GIVEN, find)[0], FOUND[0])
 
 
 def test_what_is_kept_comes_back_as_it_was(find: Finder, tmp_path: Path) -> None:
@@ -75,7 +77,7 @@ def test_another_input_is_another_file(find: Finder, other: list[np.ndarray]) ->
 
 def test_another_source_is_another_file(find: Finder, monkeypatch: pytest.MonkeyPatch) -> None:
     cached_arrays("x", GIVEN, find)
-    monkeypatch.setattr(module.compile_cache, "sources", lambda: "changed")
+    monkeypatch.setattr(module.cache_folder, "sources", lambda: "changed")
     cached_arrays("x", GIVEN, find)
     assert find.times == 2
 

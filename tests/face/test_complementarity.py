@@ -19,7 +19,7 @@ def solve(gaps, compliance, sweeps=2000):
 def pairs(gap, low, high):
     """Gaps between point 2k + 1 and point 2k."""
     count = len(gap)
-    points = np.zeros((count, 4), np.int32)
+    points = np.zeros((count, 4), np.uint32)
     points[:, 0], points[:, 1] = 2 * np.arange(count), 2 * np.arange(count) + 1
     weight = np.tile([-1.0, 1.0, 0.0, 0.0], (count, 1))
     return Gaps(points, weight, np.array(gap), np.full(count, low), np.full(count, high))

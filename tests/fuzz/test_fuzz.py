@@ -72,7 +72,7 @@ PARSERS = {
 OURS = {
     "batches/report": "its own database",
     "core/audio": "sound that we wrote",
-    "core/kernels/shipped": "code of the kernels that we built",
+    "core/cache_folder": "digests of the kernels that we built",
     "core/pcm": "samples, of which all bytes are right",
     "core/positions": "keys that were parsed before",
     "face/regions": "the bytes of its own table",

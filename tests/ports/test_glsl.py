@@ -6,8 +6,8 @@ import math
 
 import pytest
 
-from risorius.core.kernels.jit import f4
-from risorius.core.kernels.vec import Vec, along, dot, smooth
+from risorius.machine.jit import f4
+from risorius.machine.vec import Vec, along, dot, smooth
 from risorius.ports.glsl import glsl_of
 from risorius.ports.skin_formulas import shading
 

@@ -1,30 +1,22 @@
 import numpy as np
 import pytest
 
-from risorius.core.kernels.jit import lean_kernel
 from risorius.looks.attributes import HAIR, SKIN
 from risorius.render.linear import _BACKGROUND, _NONE
-from risorius.render.linear_block import COLUMNS, GROUP, mean_at
+from risorius.render.linear_block import COLUMNS, GROUP, MEANS, mean_at
 from risorius.render.software_renderer import SoftwareRenderer
-
-
-@lean_kernel
-def means(planes, rows, x, y, out):
-    found = mean_at(planes, (rows[0], rows[1], rows[2], rows[3]), x, y)
-    for k in range(12):
-        out[k] = found[k]
 
 
 def test_means_are_those_of_the_planes_at_the_samples():
     rng = np.random.default_rng(0)
     planes = rng.normal(size=(9, COLUMNS)).astype(np.float32)
     rows, x, y = np.array([3, 0, 8, 3]), np.float32(4.5), np.float32(10.5)
-    out = np.zeros(12, np.float32)
-    means(planes, rows, x, y, out)
+    out = np.zeros(MEANS, np.float32)
+    mean_at(planes, tuple(rows), x, y, out)
     start, right, down, same = np.split(planes[rows].astype(float), range(GROUP, COLUMNS, GROUP), axis=1)
     across, below = np.array([[x, x + 1, x, x + 1], [y, y, y + 1, y + 1]])[:, :, None]
     expected = np.concatenate([start + across * right + below * down, same], axis=1).mean(axis=0)
-    assert out == pytest.approx(expected[:12], abs=1e-5)
+    assert out == pytest.approx(expected[:MEANS], abs=1e-5)
 
 
 @pytest.fixture(scope="module")

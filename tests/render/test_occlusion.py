@@ -39,7 +39,7 @@ def test_a_lamp_behind_a_wall_does_not_reach():
 
 
 def test_the_first_lamp_is_not_baked(tmp_path, monkeypatch):
-    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    monkeypatch.setenv("RISORIUS_CACHE_DIR", str(tmp_path))
     lamps = np.array([[0.0, 1.0, 0.0, 1, 1, 1, 0], [0.9, 0.436, 0.0, 1, 1, 1, 0]], np.float32)
     for again in range(2):
         free, reach = bake(trench(), CENTRE, 130.0, lamps)

@@ -22,9 +22,9 @@ from risorius.web.listening import bound
 def parse_ahead() -> None:
     """Solve one face, with the skin in motion, and import all of anyio.
 
-    To compile, numba parses a kernel's source, and what is imported of anyio is parsed by pytest, since it is
-    a plugin of it, too; where two threads parse at a time (pytest does as well, to show a failure), Python
-    3.11 confuses them: "AST constructor recursion depth mismatch".
+    What is imported of anyio is parsed by pytest, since it is a plugin of it, too; if two threads parse at a
+    time (pytest does as well, to show a failure), Python 3.11 confuses them: "AST constructor recursion depth
+    mismatch".
     """
     next(iter(risorius.pose({}).faces()))
     for name in dir(anyio):

@@ -16,7 +16,7 @@ from .places import is_remote, read_bytes, state_of
 
 FileRecord = tuple[int, str, str]
 """Size in bytes, time of change, and digest of the content."""
-_USED = ("risorius", "av", "espeakng-loader", "numba", "numpy", "pocketsphinx", "scipy")
+_USED = ("risorius", "av", "espeakng-loader", "llvmlite", "numpy", "pocketsphinx", "scipy")
 """Packages on whose version the bytes of outputs depend."""
 
 

@@ -677,7 +677,7 @@
  * @property {string} error
  */
 /**
- * Whether the server is "warming" (it compiles kernels; the first face waits for them) or is "warm".
+ * Whether the server is "warming" (it loads the face; the first one waits for it) or is "warm".
  * @typedef {Object} Ready
  * @property {"ready"} event
  * @property {"warming"|"warm"} what

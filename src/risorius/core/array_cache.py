@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from . import cache_folder
 from .arrays import AnyArray
-from .kernels import compile_cache
 from .npz import read_arrays
 
 MOST_FILES = (
@@ -43,11 +43,11 @@ def cached_arrays(
 
 
 def _folder() -> Path:
-    return compile_cache.in_use() / "arrays"
+    return cache_folder.in_use() / "arrays"
 
 
 def _digest(inputs: Sequence[npt.ArrayLike]) -> str:
-    digest = hashlib.blake2b(f"{compile_cache.sources()} {np.__version__}".encode(), digest_size=16)
+    digest = hashlib.blake2b(f"{cache_folder.sources()} {np.__version__}".encode(), digest_size=16)
     for array in map(np.ascontiguousarray, inputs):
         digest.update(f"{array.dtype} {array.shape} ".encode())
         digest.update(array.data)

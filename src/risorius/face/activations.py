@@ -18,8 +18,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ..core.arrays import Array, UInt32Array
-from ..core.kernels.jit import inlined, kernel
 from ..core.parameters import INDEX, parameters_named
+from ..machine.jit import device, kernel
 
 # The share of its activation that each of two muscles loses where both contract fully. Numbers are ours: with
 # them lips that are sucked in stay shut while the chin rises.
@@ -51,14 +51,14 @@ def yields_of(shares: Mapping[tuple[str, str], float]) -> Yields:
     return Yields(np.array([first, second], np.uint32).T.copy(), np.array(lost))
 
 
-@inlined
+@device(inlined=True)
 def joint_share(first: float, second: float) -> float:
     """Return the activation of a joint field for those of its two muscles."""
     both = max(first, 0.0) * max(second, 0.0)
     return both / (both + HALF * HALF) * (1.0 - both * both)
 
 
-@kernel
+@kernel("u4[:, :], u4[:, :], f8[:], f8[:, :], f8[:, :]")
 def activate(pairs: UInt32Array, holding: UInt32Array, share: Array, values: Array, out: Array) -> None:
     """Write the activations of parameters and joint fields at each row of `values` (k, 46) to a row of `out`.
 

@@ -11,8 +11,8 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import Array, IndexArray, UInt32Array
-from ..core.kernels.jit import kernel
 from ..core.mesh_sides import edges
+from ..machine.jit import kernel
 from .head import Field, Head
 from .muscles import MuscleFields, fields_of
 from .network import Network, pull
@@ -92,7 +92,7 @@ class Biphasic:
         displacement[self._network.free] = place[:, :3]
 
 
-@kernel
+@kernel("u4[:, :], f8[:, :], f8[:, :], f8, f8[:, :]")
 def _second_phase(ends: UInt32Array, length: Array, points: Array, factor: float, out: Array) -> None:
     for e in range(len(ends)):
         i, j = ends[e, 0], ends[e, 1]
@@ -115,7 +115,7 @@ def _second_phase(ends: UInt32Array, length: Array, points: Array, factor: float
             out[j, 2] -= force * bz
 
 
-@kernel
+@kernel("f8[:, :], f8, f8[:, :]")
 def _add(force: Array, factor: float, out: Array) -> None:
     for i in range(len(out)):
         for c in range(3):

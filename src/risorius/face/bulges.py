@@ -14,8 +14,8 @@ import numpy as np
 
 from ..core.arrays import Array, UInt32Array
 from ..core.frozen import FrozenDict
-from ..core.kernels.jit import device, kernel
 from ..core.toml import package_text, parse_rows
+from ..machine.jit import device, kernel
 from .compression import Compression, Zone
 from .head import Head
 from .layouts import Landmarks, Spacing, Vector, spot
@@ -95,7 +95,7 @@ def _pull(bulge: Bulge, head: Head) -> Array:
     return pull
 
 
-@device
+@device()
 def bulge_height(area: float, depth: float, cap: float) -> float:
     """Return the mm, at most `cap`, by which flesh of `depth` mm swells at the share `area` of its area."""
     if area >= 1.0:
@@ -104,7 +104,7 @@ def bulge_height(area: float, depth: float, cap: float) -> float:
     return float(cap * np.tanh(depth * lost * lost / (lost + TAKEN_UP) / cap))
 
 
-@kernel
+@kernel("f8[:], u4[:], f8[:], f8[:], f8[:], f8[:]")
 def _swell(area: Array, vertex: UInt32Array, mask: Array, depth: Array, cap: Array, out: Array) -> None:
     for r in range(len(area)):
         out[vertex[r]] += mask[r] * bulge_height(area[r], depth[r], cap[r])

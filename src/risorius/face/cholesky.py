@@ -14,8 +14,9 @@ import scipy.sparse as sp
 from scipy.sparse.linalg import splu
 
 from ..core.arrays import Array, IndexArray, UInt32Array, UIntArray
-from ..core.kernels.jit import summing_device, summing_kernel
-from .points_of_four import gather, spread
+from ..machine.jit import device, i8, kernel
+from .fours import gathered, set_row, spread
+from .fours import row as row_at
 from .products import short
 
 _SYMMETRIC = {"options": {"SymmetricMode": True}, "diag_pivot_thresh": 0.0}
@@ -57,17 +58,25 @@ def sparing_order(matrix: sp.csc_matrix) -> IndexArray:
     return np.argsort(factor.perm_c)
 
 
-@summing_kernel
+@kernel("u4[:], u2[:], f8[:], f8[:], f8[:, 4]", "u4[:], u4[:], f8[:], f8[:], f8[:, 4]", arithmetic="sums")
 def solve(start: UInt32Array, row: UIntArray, weight: Array, inverse: Array, points: Array) -> None:
     """Solve L D Lᵀ x = b for each column of `points` (n, 4); the first four arguments as in `Factor`."""
     substitute(start, row, weight, inverse, points)
 
 
-@summing_device
+@device("sums")
 def substitute(start: UInt32Array, row: UIntArray, weight: Array, inverse: Array, points: Array) -> None:
     """Solve as `solve` does, within a kernel."""
     count = len(inverse)
     for j in range(count):
-        spread(points, j, row, weight, start[j], start[j + 1])
+        spread(points, j, row, weight, i8(start[j]), i8(start[j + 1]))
     for j in range(count - 1, -1, -1):
-        gather(points, j, inverse[j], -1.0, points, row, weight, start[j], start[j + 1])
+        below = gathered(points, row, weight, i8(start[j]), i8(start[j + 1]))
+        own, by = row_at(points, j), inverse[j]
+        solved = (
+            own[0] * by - below[0],
+            own[1] * by - below[1],
+            own[2] * by - below[2],
+            own[3] * by - below[3],
+        )
+        set_row(points, j, solved)

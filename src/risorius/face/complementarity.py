@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..core.arrays import Array, FloatArray, IntArray
-from ..core.kernels.jit import kernel, summing_kernel
+from ..machine.jit import kernel
 
 # A little softness in the diagonal keeps redundant gaps (neighbours on a stiff lip) from opposing each other.
 SOFTNESS = 1.001
@@ -52,7 +52,11 @@ def solve_gaps(gaps: Gaps, compliance: FloatArray, sweeps: int, work: Workspace,
     _apply(gaps.points, gaps.weight, work.push, force)
 
 
-@summing_kernel
+@kernel(
+    "u4[:, :], f8[:, :], f4[:, :], f8[:], f8[:, :]",
+    "u4[:, :], f8[:, :], f8[:, :], f8[:], f8[:, :]",
+    arithmetic="sums",
+)
 def _couple(points: IntArray, weight: Array, compliance: FloatArray, moved: Array, matrix: Array) -> None:
     """Write the opening of each gap per unit push at each other one to `matrix`, which is symmetric."""
     for i in range(len(points)):
@@ -70,7 +74,7 @@ def _couple(points: IntArray, weight: Array, compliance: FloatArray, moved: Arra
             matrix[j, i] = total
 
 
-@summing_kernel
+@kernel("f8[:], f8[:], f8[:], i8, f8[:, :], f8[:], f8[:]", arithmetic="sums")
 def _balance(
     gap: Array, low: Array, high: Array, sweeps: int, matrix: Array, push: Array, here: Array
 ) -> None:
@@ -93,7 +97,7 @@ def _balance(
             break
 
 
-@kernel
+@kernel("u4[:, :], f8[:, :], f8[:], f8[:]")
 def _apply(points: IntArray, weight: Array, push: Array, force: Array) -> None:
     for i in range(len(points)):
         for a in range(4):

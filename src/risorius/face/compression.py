@@ -15,7 +15,7 @@ import scipy.sparse as sp
 
 from ..core.array_cache import cached_arrays
 from ..core.arrays import AnyArray, Array, IndexArray, UInt32Array, UIntArray
-from ..core.kernels.jit import inlined, summing_kernel
+from ..machine.jit import device, kernel
 from .head import Head
 from .marks import smooth
 from .products import short
@@ -197,7 +197,7 @@ def _frames(corners: Array, pull: Array) -> Array:
     return np.column_stack([unit, np.sqrt(determinant)])
 
 
-@inlined
+@device(inlined=True)
 def _stretch(skin: Array, quad: UInt32Array, frame: Array, e: int, taut: bool) -> float:
     """Return the stretch of quad e along its frame's direction, or of its area.
 
@@ -219,7 +219,13 @@ def _stretch(skin: Array, quad: UInt32Array, frame: Array, e: int, taut: bool) -
     return float(along)
 
 
-@summing_kernel
+@kernel(
+    "f8[:], f8[:, :], b1, u4[:, :], f8[:, :], u4[:], f8[:, :], u4[:], "
+    "u2[:], f8[:], u4[:], f8[:], f8[:, :], f8[:]",
+    "f8[:], f8[:, :], b1, u4[:, :], f8[:, :], u4[:], f8[:, :], u4[:], "
+    "u4[:], f8[:], u4[:], f8[:], f8[:, :], f8[:]",
+    arithmetic="sums",
+)
 def _measure(
     strain: Array,
     mean: Array,

@@ -8,13 +8,13 @@ the nearest point, this cannot jump between faces or sides. Gaps open along y.
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from ..core.arrays import Array, BoolArray, Int32Array, IntArray
-from ..core.kernels.four import EVERY_LANE, LANES, four_at, lanes_above
-from ..core.kernels.jit import i8, inlined, lean_device, lean_kernel
+from ..machine.jit import device, i8, kernel
+from .fours import LANES
 
 Grid = tuple[float, float, float, float]
 
@@ -22,6 +22,7 @@ COLUMNS, ROWS = 48, 32  # of cells, over x and z
 EDGE = 1e-9  # share of a triangle; a point this little outside still belongs to it
 SPILL = 1e-6  # share of a cell around a triangle that counts as covered: more than EDGE
 _CELLS = COLUMNS * ROWS
+_EVERY_LANE = (1 << LANES) - 1
 
 
 class Facing(NamedTuple):
@@ -46,14 +47,14 @@ class Places(NamedTuple):
     (k, 3) the least height found, or a bound for it, and the weights of the triangle's last two corners.
     """
 
-    start: Int32Array
-    highest: Array
-    slot: Int32Array
-    vertex: IntArray
-    x: Array
-    z: Array
-    nearest: Int32Array
-    found: Array
+    start: Annotated[Int32Array, "i4[:]"]
+    highest: Annotated[Array, "f8[:]"]
+    slot: Annotated[Int32Array, "i4[:]"]
+    vertex: Annotated[IntArray, "u4[:]"]
+    x: Annotated[Array, "f8[:]"]
+    z: Annotated[Array, "f8[:]"]
+    nearest: Annotated[Int32Array, "i4[:]"]
+    found: Annotated[Array, "f8[:, :]"]
 
     @classmethod
     def allocate(cls, count: int) -> Places:
@@ -71,10 +72,10 @@ class Contacts(NamedTuple):
     if the surfaces overlap; `x` (k,): its place. `places`: the sorted vertices.
     """
 
-    points: IntArray
-    weight: Array
-    gap: Array
-    x: Array
+    points: Annotated[IntArray, "u4[:, :]"]
+    weight: Annotated[Array, "f8[:, :]"]
+    gap: Annotated[Array, "f8[:]"]
+    x: Annotated[Array, "f8[:]"]
     places: Places
 
     @classmethod
@@ -89,7 +90,7 @@ def find_contacts(facing: Facing, points: Array, reach: float, out: Contacts) ->
     return int(_find(*facing, points, reach, out.points, out.weight, out.gap, out.x, out.places))
 
 
-@lean_kernel
+@kernel("i4[:], b1[:], i4[:, :], i4[:, :], f8[:, :], f8, u4[:, :], f8[:, :], f8[:], f8[:], Places -> i8")
 def _find(
     vertices: IntArray,
     above: BoolArray,
@@ -125,7 +126,7 @@ def _find(
     return count
 
 
-@lean_device
+@device()
 def _grid_of(points: Array) -> Grid:
     """Return the least x and z of `points` (n, 3), and how many columns and rows go into one mm."""
     west, east, back, front = points[0, 0], points[0, 0], points[0, 2], points[0, 2]
@@ -135,17 +136,17 @@ def _grid_of(points: Array) -> Grid:
     return west, COLUMNS / max(east - west, 1e-6), back, ROWS / max(front - back, 1e-6)
 
 
-@lean_device
+@device()
 def _column(x: float, grid: Grid) -> int:
     return min(max(int((x - grid[0]) * grid[1]), 0), COLUMNS - 1)
 
 
-@lean_device
+@device()
 def _row(z: float, grid: Grid) -> int:
     return min(max(int((z - grid[2]) * grid[3]), 0), ROWS - 1)
 
 
-@lean_device
+@device()
 def _sort_into_cells(
     points: Array, vertices: IntArray, above: BoolArray, reach: float, grid: Grid, places: Places
 ) -> None:
@@ -173,13 +174,13 @@ def _sort_into_cells(
         found[s, 0] = _bound(points[v, 1], i8(above[k]), reach)
 
 
-@lean_device
+@device()
 def _bound(y: float, side: int, reach: float) -> float:
     """Return below which height, or above which as a negative number, a triangle is not within `reach` mm."""
     return (-y if side else y) + reach
 
 
-@inlined
+@device(inlined=True)
 def _cover(
     t: int, side: int, sign: float, points: Array, triangles: IntArray, grid: Grid, places: Places
 ) -> None:
@@ -202,22 +203,24 @@ def _cover(
         return
     back = _row(min(z, points[q, 2], points[r, 2]) - room, grid)
     front = _row(max(z, points[q, 2], points[r, 2]) + room, grid)
+    edge = 2.0 * EDGE * size
     for column in range(west, east + 1):
         cell = side * _CELLS + column * ROWS
         last = places.start[cell + front + 1]
         for first in range(places.start[cell + back], last, LANES):
-            px, pz = four_at(places.x, first) - x, four_at(places.z, first) - z
-            b, c = turn * (px * vz - pz * vx), turn * (ux * pz - uz * px)
-            edge = 2.0 * EDGE * size
-            missed = lanes_above(0.0 - b, edge) | lanes_above(0.0 - c, edge) | lanes_above(b + c, size + edge)
-            if missed == EVERY_LANE:
+            missed = 0
+            for lane in range(LANES):
+                px, pz = places.x[first + lane] - x, places.z[first + lane] - z
+                b, c = turn * (px * vz - pz * vx), turn * (ux * pz - uz * px)
+                missed |= i8((-b > edge) | (-c > edge) | (b + c > size + edge)) << lane
+            if missed == _EVERY_LANE:
                 continue
             for s in range(first, min(first + LANES, last)):
                 if not missed >> (s - first) & 1 and lowest < places.found[s, 0]:
                     _meet(s, t, sign, points, triangles, places)
 
 
-@lean_device
+@device()
 def _meet(s: int, t: int, sign: float, points: Array, triangles: IntArray, places: Places) -> None:
     """Give triangle t to the vertex in place s if it covers it, with a height below the least so far."""
     v, p, q, r = places.vertex[s], triangles[t, 0], triangles[t, 1], triangles[t, 2]
@@ -235,7 +238,7 @@ def _meet(s: int, t: int, sign: float, points: Array, triangles: IntArray, place
         places.found[s, 0], places.found[s, 1], places.found[s, 2], places.nearest[s] = y, wb, wc, t
 
 
-@lean_kernel
+@kernel("Contacts, i8, f8, (f8, f8), f8, f8[:, :], f8, i4[:], f8[:] -> i8")
 def keep_tight(
     contacts: Contacts,
     count: int,
@@ -274,7 +277,7 @@ def keep_tight(
     return kept if wrong else 0
 
 
-@lean_device
+@device()
 def narrowest(
     start: float, end: float, width: float, x: Array, gap: Array, count: int, nearest: Int32Array
 ) -> None:

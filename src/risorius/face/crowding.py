@@ -18,8 +18,8 @@ import numpy as np
 
 from ..core.array_cache import cached_arrays
 from ..core.arrays import AnyArray, Array, BoolArray, Int32Array, IntArray, UInt32Array
-from ..core.kernels.jit import kernel
 from ..core.mesh_sides import unique_pairs
+from ..machine.jit import kernel
 from .head import Head
 from .muscles import fields_of
 
@@ -178,7 +178,7 @@ def _fields(head: Head) -> list[Array]:
     return list(whole_fields.values())
 
 
-@kernel
+@kernel("i4[:, :], f8[:], f8[:, :], f8[:], i8, u4[:], f8[:, :]")
 def relieve(
     points: Int32Array,
     foot: Array,

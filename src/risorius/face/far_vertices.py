@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..core.arrays import Array
-from ..core.kernels.jit import kernel, summing_kernel
+from ..machine.jit import kernel
 from .nonnegative import least_squares
 
 FAR, POWER, STRENGTH = 1.5, 8, 4e4  # mm, none, mm⁻⁶
@@ -80,11 +80,11 @@ class FarVertices:
     def _model(self, weights: Array, here: SurfaceCost) -> tuple[Array, Array]:
         """Return the normal equations of the second-order model about `weights`."""
         curved, pull = np.zeros_like(self._normal), np.zeros_like(weights)
-        _curve(self._moves, here.away, here.distance, curved, pull)
+        _curve(self._moves, here.away, here.distance, np.empty_like(weights), curved, pull)
         return self._normal + curved, self._right + curved @ weights + pull
 
 
-@summing_kernel
+@kernel("f8[:, :, :], f8[:, :], f8[:], f8[:, :], f8[:] -> f8", arithmetic="sums")
 def _leave(moves: Array, left: Array, change: Array, away: Array, distance: Array) -> float:
     """Write the rest of `left` (n, 3) after a `change` (s,) of weights, its lengths; return the penalty."""
     penalty = 0.0
@@ -101,11 +101,13 @@ def _leave(moves: Array, left: Array, change: Array, away: Array, distance: Arra
     return STRENGTH * penalty
 
 
-@summing_kernel
-def _curve(moves: Array, away: Array, distance: Array, curved: Array, pull: Array) -> None:
-    """Add the penalty's second derivatives to `curved` (s, s), and the pull on the weights to `pull` (s,)."""
+@kernel("f8[:, :, :], f8[:, :], f8[:], f8[:], f8[:, :], f8[:]", arithmetic="sums")
+def _curve(moves: Array, away: Array, distance: Array, along: Array, curved: Array, pull: Array) -> None:
+    """Add the penalty's second derivatives to `curved` (s, s), and the pull on the weights to `pull` (s,).
+
+    `along` (s,) is scratch.
+    """
     count = len(pull)
-    along = np.empty(count)
     for v in range(len(away)):
         over = distance[v] - FAR
         if over <= 0.0:
@@ -127,14 +129,18 @@ def _curve(moves: Array, away: Array, distance: Array, curved: Array, pull: Arra
             curved[j, i] = curved[i, j]
 
 
-@kernel
 def lengths(vectors: Array) -> Array:
     """Return the lengths of vectors (n, 3) -> (n,)."""
     result = np.empty(len(vectors))
+    _measure(np.ascontiguousarray(vectors), result)
+    return result
+
+
+@kernel("f8[:, :], f8[:]")
+def _measure(vectors: Array, result: Array) -> None:
     for i in range(len(vectors)):
         x, y, z = vectors[i, 0], vectors[i, 1], vectors[i, 2]
         result[i] = np.sqrt(x * x + y * y + z * z)
-    return result
 
 
 def within_leeway(way: Array) -> Array:

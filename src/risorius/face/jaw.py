@@ -13,8 +13,8 @@ import numpy as np
 
 from ..core.array_cache import cached_arrays
 from ..core.arrays import Array, FloatArray
-from ..core.kernels.jit import kernel
 from ..core.parameters import INDEX
+from ..machine.jit import kernel
 from .head import Head
 from .rotations import about_axis, turned
 from .throat import uncrowd
@@ -70,7 +70,7 @@ class Jaw:
         turn_about(about_axis(self.axis, self.angle * opening), self.point, points, out)
 
 
-@kernel
+@kernel("f8[:, :], f8[:], f8[:, :], f8[:, :]", "f8[:, :], f8[:], f8[:, :], f4[:, :]")
 def turn_about(rotation: Array, point: Array, points: Array, out: FloatArray) -> None:
     """Write `points` (n, 3), turned by `rotation` (3, 3) about `point` (3,), to `out` (n, 3)."""
     for v in range(len(points)):
@@ -79,7 +79,7 @@ def turn_about(rotation: Array, point: Array, points: Array, out: FloatArray) ->
             out[v, c] = rotation[c, 0] * x + rotation[c, 1] * y + rotation[c, 2] * z + point[c]
 
 
-@kernel
+@kernel("f8[:, :], f8[:, :], f8[:], f8[:, :], f8[:], f8[:], f8, f8, f8[:, :]")
 def _carry(
     rest: Array,
     displacement: Array,

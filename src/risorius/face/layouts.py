@@ -13,9 +13,9 @@ import numpy as np
 
 from ..core.arrays import Array, Int64Array
 from ..core.hints import Range, Then
-from ..core.kernels.jit import kernel
 from ..core.units import Share
 from ..errors import InputError
+from ..machine.jit import kernel
 from .marks import Marks, plateau, ripple, smooth
 
 
@@ -213,7 +213,7 @@ def _beside(curve: Array, places: Array) -> tuple[Array, Array]:
     return side, (start[piece] + share * length[piece]) / start[-1]
 
 
-@kernel
+@kernel("f8[:, :], f8[:, :], f8[:], i8[:], f8[:]")
 def _find_nearest(curve: Array, places: Array, side: Array, piece: Int64Array, share: Array) -> None:
     """Write each place's (n, 2) distance beyond the curve (k, 2), nearest piece, and share along it."""
     for i in range(len(places)):

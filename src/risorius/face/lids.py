@@ -18,8 +18,8 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arrays import Array, Int32Array
-from ..core.kernels.jit import device, inlined, kernel
 from ..core.parameters import INDEX
+from ..machine.jit import device, kernel
 from .head import Head
 from .plate import nearby, response
 from .products import SparseRows, carry
@@ -141,7 +141,7 @@ def _shell(head: Head, centre: Array, radius: float) -> tuple[Int32Array, Array]
     return shell, np.minimum(distance[shell], radius + CLEARANCE)
 
 
-@kernel
+@kernel("f8[:, :], f8[:], f8[:], f8[:], f8, f8, f8, f8[:, :] -> f8")
 def _aim(
     places: Array,
     centre: Array,
@@ -170,7 +170,7 @@ def _aim(
     return float(drop / square)
 
 
-@kernel
+@kernel("f8[:, :], f8[:], f8, f8[:, :]")
 def _rest_of_the_way(places: Array, centre: Array, closure: float, goal: Array) -> None:
     """Replace `goal` (2 m, 4), whose third column has angles, by displacements in mm of `places` (2 m, 4).
 
@@ -188,18 +188,18 @@ def _rest_of_the_way(places: Array, centre: Array, closure: float, goal: Array) 
             goal[row, 2] = centre[2] + radius * np.cos(angle) - places[row, 2]
 
 
-@inlined
+@device(inlined=True)
 def _angle(points: Array, row: int, centre: Array) -> float:
     return float(np.arctan2(points[row, 1] - centre[1], points[row, 2] - centre[2]))
 
 
-@inlined
+@device(inlined=True)
 def _radius(points: Array, row: int, centre: Array) -> float:
     y, z = points[row, 1] - centre[1], points[row, 2] - centre[2]
     return float(np.sqrt(y * y + z * z))
 
 
-@kernel
+@kernel("f8[:, :], i4[:], f8[:], f8[:, :], f8, f8[:]")
 def _turn(skin: Array, vertices: Int32Array, rest: Array, path: Array, share: float, centre: Array) -> None:
     for k in range(len(vertices)):
         v = vertices[k]
@@ -213,7 +213,7 @@ def _turn(skin: Array, vertices: Int32Array, rest: Array, path: Array, share: fl
         skin[v, 2] = centre[2] + grow * (z * cosine - y * sine)
 
 
-@device
+@device()
 def _limited(way: float, gone: float) -> float:
     """Return the rest of the angle `way` if other muscles moved the skin by `gone`: two parallel pulls."""
     if way * gone <= 1e-12:
@@ -221,7 +221,7 @@ def _limited(way: float, gone: float) -> float:
     return float(np.cbrt(way * way * way + gone * gone * gone) - gone)
 
 
-@kernel
+@kernel("f8[:, :], i4[:], f8[:], f8[:]")
 def _push_out(skin: Array, shell: Int32Array, floor: Array, centre: Array) -> None:
     for k in range(len(shell)):
         v = shell[k]

@@ -16,10 +16,10 @@ from pathlib import Path
 import numpy as np
 
 from ..core.arrays import Array, UInt32Array
-from ..core.kernels.jit import kernel
 from ..core.links import Link
 from ..core.parameters import INDEX
 from ..core.toml import load_file
+from ..machine.jit import kernel
 
 FILE = "links.toml"
 
@@ -75,7 +75,7 @@ def _load(path: Path, _changed: int) -> tuple[Link, ...]:
     return load_file(LinkTable, path).link
 
 
-@kernel
+@kernel("u4[:], u4[:], f8[:], f8[:], f8[:]")
 def _apply(first: UInt32Array, second: UInt32Array, weight: Array, values: Array, out: Array) -> None:
     # A loop, because for a slice numba would compile a check of the lengths that is longer than the kernel.
     for k in range(len(values)):

@@ -16,13 +16,26 @@ from typing import NamedTuple
 import numpy as np
 
 from ..core.arrays import Array, ByteArray, IndexArray, IntArray, UInt32Array, UInt64Array
-from ..core.kernels.four import Four, any_above, four, larger, root, row, set_row, where_above
-from ..core.kernels.jit import inlined, lean_device, lean_kernel
 from ..core.parameters import INDEX, PARAMETERS
 from ..errors import HeadError
+from ..machine.jit import device, kernel
 from .activations import YIELDS, Yields, activate, yields_of
+from .fours import (
+    LANES,
+    Four,
+    added,
+    added_times,
+    four,
+    inverse_cube_root,
+    product,
+    put,
+    put_vector,
+    roots,
+    row,
+    set_row,
+    squares,
+)
 from .head import Field, Head
-from .roots import inverse_cube_roots
 
 # These have no field on the skin at rest: the jaw is a frame, and the lids slide over the eyeball.
 ELSEWHERE = ("masseter", "orbicularis_oculi_palpebralis")
@@ -114,7 +127,7 @@ class MuscleFields:
         out[:] = DisplacedSkin(self).at(values)
 
 
-AT_ONCE = 4
+AT_ONCE = LANES
 """Instants whose displacements are computed at once."""
 
 
@@ -125,7 +138,7 @@ class DisplacedSkin:
         self._fields, self._rows = fields, np.zeros((AT_ONCE, fields.columns))
         self._before = np.zeros(fields.columns)
         self._skin = np.zeros((len(fields.acting), 3, AT_ONCE))
-        self._work = np.zeros((fields.columns, AT_ONCE)), np.zeros((MOST, _PULL, AT_ONCE))
+        self._work = np.zeros((fields.columns, AT_ONCE)), np.zeros((MOST * _PULL, AT_ONCE))
         self._entries = np.zeros(MOST, np.uint32)
 
     def at(self, values: Array) -> Array:
@@ -156,7 +169,7 @@ class DisplacedSkin:
         return self._skin
 
 
-@lean_kernel
+@kernel("i8[:], f8[:, 3, 4], i8, f8[:, :]")
 def put_at(vertices: IndexArray, displaced: Array, number: int, out: Array) -> None:
     """Write one `number` of the displacements `displaced` (n, 3, AT_ONCE) to the `vertices` of `out`."""
     for k in range(len(vertices)):
@@ -206,7 +219,10 @@ def _base(name: str) -> str:
     return name.partition(".")[0]
 
 
-@lean_kernel
+@kernel(
+    "u4[:], u1[:], u1[:], u1[:], f8[:, 3], u8[:], f8[:, :], f8[:], f8[:, 4], f8[:, 4], u4[:], f8[:, 3, 4]",
+    arithmetic="fast",
+)
 def _displace(
     start: UInt32Array,
     parameter: ByteArray,
@@ -224,13 +240,13 @@ def _displace(
     """Write the displacements at the activations in each of the `rows` to `out`; see `DisplacedSkin`.
 
     The vertices whose muscles differ in no row from `before`, which becomes the last row, keep the last one.
-    `lanes` (46 + j, AT_ONCE), `pulls` (MOST, _PULL, AT_ONCE) and `entries` (MOST,) are scratch.
+    `lanes` (46 + j, AT_ONCE), `pulls` (MOST · _PULL, AT_ONCE) and `entries` (MOST,) are scratch.
     """
     live, changed = _turn_rows(rows, before, lanes)
     for v in range(len(acting)):
         if not acting[v] & changed:
             for c in range(3):
-                set_row(out, 3 * v + c, four(out[v, c, AT_ONCE - 1]))
+                put(out, v, c, four(out[v, c, AT_ONCE - 1]))
             continue
         count = 0
         for e in range(start[v], start[v + 1]):
@@ -238,23 +254,19 @@ def _displace(
             count += int((live >> np.uint64(parameter[e])) & np.uint64(1))
         if not acting[v] & live or count == 0:
             for c in range(3):
-                set_row(out, 3 * v + c, four(0.0))
+                put(out, v, c, four(0.0))
             continue
         sources = _gather(entries, count, parameter, source, displacement, lanes, pulls)
         if sources > 1:
             square = _limited_sum(pulls, sources, v, out)
         else:
-            x, y, z = row(pulls, 0) + 0.0, row(pulls, 1) + 0.0, row(pulls, 2) + 0.0
-            set_row(out, 3 * v, x)
-            set_row(out, 3 * v + 1, y)
-            set_row(out, 3 * v + 2, z)
-            square = x * x + y * y + z * z
-        if any_above(square, FREE_EXCESS * FREE_EXCESS):
+            square = put_vector(out, v, row(pulls, 0), row(pulls, 1), row(pulls, 2))
+        if max(square[0], square[1], square[2], square[3]) > FREE_EXCESS * FREE_EXCESS:
             for lane in range(AT_ONCE):
                 _cap(entries, count, parameter, muscle, displacement, rows, lane, v, out)
 
 
-@lean_device
+@device("fast")
 def _turn_rows(rows: Array, before: Array, lanes: Array) -> tuple[np.uint64, np.uint64]:
     """Copy activations in `rows` (AT_ONCE, 46 + j) to `lanes` (46 + j, AT_ONCE), the last row to `before`.
 
@@ -273,7 +285,7 @@ def _turn_rows(rows: Array, before: Array, lanes: Array) -> tuple[np.uint64, np.
     return live, changed
 
 
-@inlined
+@device("fast", inlined=True)
 def _gather(
     entries: UInt32Array,
     count: int,
@@ -292,16 +304,16 @@ def _gather(
             last, s = int(source[e]), s + _PULL
             x, y, z = four(0.0), four(0.0), four(0.0)
         activation = row(lanes, parameter[e])
-        x += activation * displacement[e, 0]
-        y += activation * displacement[e, 1]
-        z += activation * displacement[e, 2]
+        x = added_times(x, activation, displacement[e, 0])
+        y = added_times(y, activation, displacement[e, 1])
+        z = added_times(z, activation, displacement[e, 2])
         set_row(pulls, s, x)
         set_row(pulls, s + 1, y)
         set_row(pulls, s + 2, z)
     return s // _PULL + 1
 
 
-@inlined
+@device("fast", inlined=True)
 def _cap(
     entries: UInt32Array,
     count: int,
@@ -344,7 +356,7 @@ def _cap(
             out[v, c, lane] *= allowed / length
 
 
-@inlined
+@device("fast", inlined=True)
 def _limited_sum(pulls: Array, count: int, v: int, out: Array) -> Four:
     """Write to `out[v]` the limited sum of the first `count` of `pulls`; return the square of its length.
 
@@ -355,26 +367,34 @@ def _limited_sum(pulls: Array, count: int, v: int, out: Array) -> Four:
     """
     for m in range(0, _PULL * count, _PULL):
         mx, my, mz = row(pulls, m), row(pulls, m + 1), row(pulls, m + 2)
-        own, parallel = root(mx * mx + my * my + mz * mz), four(0.0)
+        own, parallel = roots(squares(mx, my, mz)), four(0.0)
         for n in range(0, m, _PULL):
-            dot = mx * row(pulls, n) + my * row(pulls, n + 1) + mz * row(pulls, n + 2)
-            along = larger(dot, four(0.0))
-            square = along * along
-            parallel += square * row(pulls, n + 3)
-            set_row(pulls, n + 4, row(pulls, n + 4) + square * own)
+            dot = product(mx, row(pulls, n))
+            dot = added(added(dot, my, row(pulls, n + 1)), mz, row(pulls, n + 2))
+            along = max(dot[0], 0.0), max(dot[1], 0.0), max(dot[2], 0.0), max(dot[3], 0.0)
+            square = product(along, along)
+            parallel = added(parallel, square, row(pulls, n + 3))
+            set_row(pulls, n + 4, added(row(pulls, n + 4), square, own))
         set_row(pulls, m + 3, own)
         set_row(pulls, m + 4, parallel)
     x, y, z = four(0.0), four(0.0), four(0.0)
     for m in range(0, _PULL * count, _PULL):
         own, parallel = row(pulls, m + 3), row(pulls, m + 4)
-        whole = larger(own, four(NOTHING))
-        less = inverse_cube_roots(parallel / (whole * whole * whole * whole * whole) + 1.0)
-        shortened = where_above(own, NOTHING, less * less, four(1.0))
-        share = where_above(parallel, 0.0, shortened, four(1.0))
-        x += share * row(pulls, m)
-        y += share * row(pulls, m + 1)
-        z += share * row(pulls, m + 2)
-    set_row(out, 3 * v, x)
-    set_row(out, 3 * v + 1, y)
-    set_row(out, 3 * v + 2, z)
-    return x * x + y * y + z * z
+        share = (
+            _share(own[0], parallel[0]),
+            _share(own[1], parallel[1]),
+            _share(own[2], parallel[2]),
+            _share(own[3], parallel[3]),
+        )
+        x = added(x, share, row(pulls, m))
+        y = added(y, share, row(pulls, m + 1))
+        z = added(z, share, row(pulls, m + 2))
+    return put_vector(out, v, x, y, z)
+
+
+@device("fast")
+def _share(own: float, parallel: float) -> float:
+    """Return how much a pull counts beside others, see `_limited_sum`."""
+    whole = max(own, NOTHING)
+    less = inverse_cube_root(parallel / (whole * whole * whole * whole * whole) + 1.0)
+    return less * less if own > NOTHING and parallel > 0.0 else 1.0

@@ -16,11 +16,12 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arrays import Array, BoolArray, IndexArray, UInt32Array
-from ..core.kernels.jit import summing_device, summing_kernel
+from ..machine.jit import device, i8, kernel
 from .cholesky import Factor, sparing_order
+from .fours import added_times, gathered, set_row
+from .fours import row as row_at
 from .head import Head
 from .muscles import fields_of
-from .points_of_four import gather
 from .stiffness import spring_stiffness
 
 STILL = 0.02  # mm at full contraction: a point that moves less counts as one that no muscle moves
@@ -72,7 +73,7 @@ def _lips(head: Head) -> BoolArray:
     return np.asarray(np.maximum(head.masks["lips"], head.masks["inner_mouth"]) > LIP)
 
 
-@summing_kernel
+@kernel("u4[:], u4[:], f8[:], f8[:, 4], f8, f8[:, 4]", arithmetic="sums")
 def pull(
     start: UInt32Array, column: UInt32Array, weight: Array, points: Array, factor: float, out: Array
 ) -> None:
@@ -80,10 +81,11 @@ def pull(
     add_pull(start, column, weight, points, factor, out)
 
 
-@summing_device
+@device("sums")
 def add_pull(
     start: UInt32Array, column: UInt32Array, weight: Array, points: Array, factor: float, out: Array
 ) -> None:
     """Pull as `pull` does, within a kernel."""
     for i in range(len(out)):
-        gather(out, i, 1.0, factor, points, column, weight, start[i], start[i + 1])
+        near = gathered(points, column, weight, i8(start[i]), i8(start[i + 1]))
+        set_row(out, i, added_times(row_at(out, i), near, factor))

@@ -11,8 +11,8 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arrays import AnyArray, Array, FloatArray, IntArray, UInt32Array, UIntArray
-from ..core.kernels.four import four, row, set_row
-from ..core.kernels.jit import lean_kernel, summing_kernel
+from ..machine.jit import device, kernel
+from .fours import added_times, four, row, set_row
 
 
 def short(indices: IntArray) -> UIntArray:
@@ -42,7 +42,7 @@ class SparseRows(NamedTuple):
 
 
 class AlikeRows(NamedTuple):
-    """The rows of a sparse matrix (n, m) of few different weights: the `number` of one takes a byte.
+    """The rows of a sparse matrix (n, m) of few different weights: mostly, the `number` of one takes a byte.
 
     Row i has `weights[number[start[i]:start[i + 1]]]` at `column[…]`.
     """
@@ -57,7 +57,9 @@ class AlikeRows(NamedTuple):
         """Take the rows of a CSR matrix."""
         weights, number = np.unique(matrix.data, return_inverse=True)
         start, column = matrix.indptr.astype(np.uint32), short(matrix.indices)
-        return cls(start, column, number.astype(np.uint8 if len(weights) <= 256 else np.uint32), weights)
+        if len(weights) > 256 or column.dtype != np.uint16:
+            return cls(start, column.astype(np.uint32), number.astype(np.uint32), weights)
+        return cls(start, column, number.astype(np.uint8), weights)
 
     def times(self, points: Array, out: Array) -> Array:
         """Write the product with `points` (m, 4) to `out` (n, 4) and return it, as `SparseRows` does."""
@@ -65,27 +67,33 @@ class AlikeRows(NamedTuple):
         return out
 
 
-@lean_kernel
+@kernel(
+    "u4[:], u2[:], f8[:], f8[:, 4], f8[:, 4]", "u4[:], u4[:], f8[:], f8[:, 4], f8[:, 4]", arithmetic="fast"
+)
 def _times(start: IntArray, column: UIntArray, weight: Array, points: Array, out: Array) -> None:
     for i in range(len(out)):
         total = four(0.0)
         for e in range(start[i], start[i + 1]):
-            total += weight[e] * row(points, column[e])
+            total = added_times(total, row(points, column[e]), weight[e])
         set_row(out, i, total)
 
 
-@lean_kernel
+@kernel(
+    "u4[:], u2[:], u1[:], f8[:], f8[:, 4], f8[:, 4]",
+    "u4[:], u4[:], u4[:], f8[:], f8[:, 4], f8[:, 4]",
+    arithmetic="fast",
+)
 def _times_alike(
     start: IntArray, column: UIntArray, number: UIntArray, weights: Array, points: Array, out: Array
 ) -> None:
     for i in range(len(out)):
         total = four(0.0)
         for e in range(start[i], start[i + 1]):
-            total += weights[number[e]] * row(points, column[e])
+            total = added_times(total, row(points, column[e]), weights[number[e]])
         set_row(out, i, total)
 
 
-@lean_kernel
+@kernel("f8[:, 4], f4[:, 3]")
 def without_fourth(points: Array, out: FloatArray) -> None:
     """Copy `points` (n, 4) without their fourth column to `out` (n, 3), of any precision."""
     for v in range(len(out)):
@@ -93,13 +101,14 @@ def without_fourth(points: Array, out: FloatArray) -> None:
             out[v, c] = points[v, c]
 
 
-@summing_kernel
+@kernel("i4[:], f8[:, :], f8[:, :], f8[:, :], f8[:, :]", arithmetic="sums")
 def carry(region: IntArray, motion: Array, moves: Array, sums: Array, skin: Array) -> None:
     """Add the transpose of `motion` (s, r) times `moves` (s, 4) to `skin` (N, 4) at `region` (r,).
 
     `sums` (3, r) is scratch.
     """
-    sums[:] = 0.0
+    for c in range(3):
+        _clear(sums[c])
     # Four at a time, so that the sums are fetched and stored a quarter as often.
     even = len(moves) // 4 * 4
     for s in range(0, even, 4):
@@ -112,20 +121,19 @@ def carry(region: IntArray, motion: Array, moves: Array, sums: Array, skin: Arra
                     )
     for s in range(even, len(moves)):
         for c in range(3):
-            for k in range(len(region)):
-                sums[c, k] += moves[s, c] * motion[s, k]
+            _add(moves[s, c], motion[s], sums[c])
     for k in range(len(region)):
         for c in range(3):
             skin[region[k], c] += sums[c, k]
 
 
-@summing_kernel
+@kernel("i4[:], f8[:, :], f8[:], f8[:], f8[:, :]", arithmetic="sums")
 def carry_upwards(region: IntArray, motion: Array, pushes: Array, sums: Array, skin: Array) -> None:
     """Add `pushes` (s,), most of them 0, times `motion` (s, r) to the y of `skin` (N, 4) at `region` (r,).
 
     `sums` (r,) is scratch.
     """
-    sums[:] = 0.0
+    _clear(sums)
     for s in range(len(pushes)):
         push = pushes[s]
         if push != 0.0:
@@ -133,3 +141,15 @@ def carry_upwards(region: IntArray, motion: Array, pushes: Array, sums: Array, s
                 sums[k] += push * motion[s, k]
     for k in range(len(region)):
         skin[region[k], 1] += sums[k]
+
+
+@device()
+def _clear(numbers: Array) -> None:
+    for k in range(len(numbers)):
+        numbers[k] = 0.0
+
+
+@device("sums")
+def _add(factor: float, numbers: Array, sums: Array) -> None:
+    for k in range(len(sums)):
+        sums[k] += factor * numbers[k]

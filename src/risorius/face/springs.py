@@ -12,8 +12,8 @@ import math
 import numpy as np
 
 from ..core.arrays import Array, IndexArray, UInt32Array, UIntArray
-from ..core.kernels.jit import summing_device, summing_kernel
 from ..core.parameters import NAMES
+from ..machine.jit import device, kernel
 from .biphasic import Biphasic
 from .cholesky import substitute
 from .links import NO_LINKS, Links
@@ -108,7 +108,7 @@ class Springs:
         _place(self.network.free, self._before, self._place, share, displacement)
 
 
-@summing_device
+@device("sums")
 def _add_load(
     targets: Array,
     number: int,
@@ -127,7 +127,7 @@ def _add_load(
     add_pull(start, column, weight, strain, STEP, velocity)
 
 
-@summing_device
+@device("sums")
 def _move_on(
     before: Array,
     start: UInt32Array,
@@ -144,7 +144,7 @@ def _move_on(
             after[i, c] = before[i, c] + STEP * velocity[i, c]
 
 
-@summing_kernel
+@kernel("f8[:, 3, 4], i8, f8[:, 4], u4[:], u4[:], f8[:], f8[:, 4], f8[:, 4]", arithmetic="sums")
 def _load(
     targets: Array,
     number: int,
@@ -158,7 +158,11 @@ def _load(
     _add_load(targets, number, place, start, column, weight, strain, velocity)
 
 
-@summing_kernel
+@kernel(
+    "f8[:, 4], u4[:], u2[:], f8[:], f8[:], f8[:, 4], f8[:, 4]",
+    "f8[:, 4], u4[:], u4[:], f8[:], f8[:], f8[:, 4], f8[:, 4]",
+    arithmetic="sums",
+)
 def _move(
     before: Array,
     start: UInt32Array,
@@ -171,7 +175,13 @@ def _move(
     _move_on(before, start, row, weight, inverse, velocity, after)
 
 
-@summing_kernel
+@kernel(
+    "f8[:, 3, 4], i8, i8, u4[:], u4[:], f8[:], (u4[:], u2[:], f8[:], f8[:]), "
+    "(f8[:, 4], f8[:, 4], f8[:, 4], f8[:, 4])",
+    "f8[:, 3, 4], i8, i8, u4[:], u4[:], f8[:], (u4[:], u4[:], f8[:], f8[:]), "
+    "(f8[:, 4], f8[:, 4], f8[:, 4], f8[:, 4])",
+    arithmetic="sums",
+)
 def _go_on(
     targets: Array,
     first: int,
@@ -190,7 +200,7 @@ def _go_on(
         _move_on(before, solver[0], solver[1], solver[2], solver[3], velocity, place)
 
 
-@summing_kernel
+@kernel("i8[:], f8[:, :], f8[:, :], f8, f8[:, :]", arithmetic="sums")
 def _place(free: IndexArray, before: Array, after: Array, share: float, displacement: Array) -> None:
     for i in range(len(free)):
         for c in range(3):

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..core.arrays import Array, IndexArray, IntArray, UInt32Array
-from ..core.kernels.jit import inlined, kernel
+from ..machine.jit import device, kernel
 from .crowding import struts
 from .head import Head
 from .jaw import Jaw
@@ -95,7 +95,7 @@ def _spans(rest: Array, pairs: IntArray, lining: IndexArray, crowns: Array) -> I
     return np.asarray(pairs[near & (np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) > SPAN)])
 
 
-@inlined
+@device(inlined=True)
 def _to_row(points: Array, v: int, turn: Array, hinge: Array) -> tuple[float, float, float]:
     """Return point v in the frame of a row that was turned by `turn` (3, 3) about `hinge`."""
     x, y, z = points[v, 0] - hinge[0], points[v, 1] - hinge[1], points[v, 2] - hinge[2]
@@ -106,14 +106,14 @@ def _to_row(points: Array, v: int, turn: Array, hinge: Array) -> tuple[float, fl
     )
 
 
-@inlined
+@device(inlined=True)
 def _from_row(x: float, y: float, z: float, turn: Array, hinge: Array, points: Array, v: int) -> None:
     x, y, z = x - hinge[0], y - hinge[1], z - hinge[2]
     for a in range(3):
         points[v, a] = turn[a, 0] * x + turn[a, 1] * y + turn[a, 2] * z + hinge[a]
 
 
-@kernel
+@kernel("f8[:, :], u4[:, :], f8[:], f8[:, :], f8[:, :, :], f8[:, :], f8[:]")
 def _keep_out(
     skin: Array, places: UInt32Array, middle: Array, front: Array, around: Array, turn: Array, hinge: Array
 ) -> None:
@@ -146,7 +146,7 @@ def _keep_out(
         _from_row(bx + push * x, by, bz + push * out, turn, hinge, skin, b)
 
 
-@kernel
+@kernel("f8[:, :], f8[:], f8[:, :], f8[:, :], f8[:, :, :], f8[:], f8, f8[:, :], f8[:]")
 def _keep_in(
     tongue: Array,
     middle: Array,

@@ -12,8 +12,8 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arrays import Array, IndexArray
-from ..core.kernels.jit import kernel
 from ..core.parameters import INDEX
+from ..machine.jit import kernel
 from .head import TONGUE_FIELDS, Head
 from .jaw import Jaw
 
@@ -66,7 +66,7 @@ class TongueShapes:
         return moved
 
 
-@kernel
+@kernel("f8[:, :], f8[:, :, :], f8[:], f8[:, :], f8, f8[:], f8, f8[:, :]")
 def _shape(
     rest: Array,
     shapes: Array,

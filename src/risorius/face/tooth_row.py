@@ -9,7 +9,7 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
 from ..core.arrays import Array, IndexArray
-from ..core.kernels.jit import device, inlined
+from ..machine.jit import device
 from .head import TeethMesh
 
 ANGLES, HALF_TURN = 91, 2.2  # columns of the tables, and the radians that they span on either side
@@ -112,7 +112,7 @@ def _largest(table: Array, count: int, axis: int = -1) -> Array:
     return np.asarray(sliding_window_view(np.pad(table, ends, mode="edge"), count, axis=axis).max(axis=-1))
 
 
-@device
+@device()
 def sector_of(x: float, out: float) -> int:
     """Return the sector, 0 to SECTORS − 1, of the direction (x, out): even steps about a square, no angle."""
     reach = abs(x) + abs(out)
@@ -122,14 +122,14 @@ def sector_of(x: float, out: float) -> int:
     return int(min(max((along + 2.0) * 0.25 * SECTORS, 0.0), SECTORS - 1.0))
 
 
-@device
+@device()
 def column_of(x: float, out: float) -> float:
     """Return the column, with a fraction, of the direction (x, out) in the tables of ANGLES columns."""
     angle = np.arctan2(x, out) / HALF_TURN
     return float(min(max((angle + 1.0) * 0.5 * (ANGLES - 1), 0.0), ANGLES - 1.001))
 
 
-@inlined
+@device(inlined=True)
 def look_up(table: Array, column: float, row: float) -> float:
     """Return the value of `table` (ANGLES, rows) between its entries; `row` lies within them."""
     i, j = int(column), int(row)

@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ..core.arrays import Array, Float32Array, IntArray, UInt32Array
-from ..core.kernels.jit import device, kernel
 from ..core.parameters import INDEX, parameters_named
+from ..machine.jit import device, kernel
 from .ageing import DEFAULT_AGE, SkinAge, skin_at
 from .bulges import Bulges
 from .compression import Compression
@@ -210,7 +210,7 @@ def _law(placed: Sequence[PlacedRegion], skin: SkinAge, factor: Array, unit: flo
     )
 
 
-@device
+@device()
 def fold_height(width: float, stretch: float, give: float) -> float:
     """Return the height in mm of the fold in which skin keeps its length.
 
@@ -225,7 +225,7 @@ def fold_height(width: float, stretch: float, give: float) -> float:
     return float(2.0 * chord / np.pi * excess / np.sqrt(excess + FLAT))
 
 
-@device
+@device()
 def capped(height: float, cap: float) -> float:
     """Soft-clip `height` (mm, ≥ 0) below `cap` (mm).
 
@@ -235,7 +235,7 @@ def capped(height: float, cap: float) -> float:
     return height * (1.0 - x * x * (1.0 / 3.0 - x * x * (2.0 / 15.0))) if x < LOW else cap * float(np.tanh(x))
 
 
-@kernel
+@kernel("f8[:], u4[:], u4[:], f8[:], f8[:], f8[:, :], f4[:, :], f8[:]")
 def _fold(
     stretch: Array,
     vertex: UInt32Array,
@@ -256,7 +256,7 @@ def _fold(
             lift[v] += relief[r] * mask[r] * capped(moving, cap)
 
 
-@kernel
+@kernel("u4[:], u4[:], u4[:, :], f8[:], f8[:, :], f8[:, :]")
 def _steps(
     vertices: UInt32Array, start: UInt32Array, around: UInt32Array, lift: Array, fine: Array, out: Array
 ) -> None:
@@ -277,7 +277,7 @@ def _steps(
         out[k, 0], out[k, 1], out[k, 2] = far * x, far * y, far * z
 
 
-@kernel
+@kernel("u4[:], f8[:, :], f8[:, :]")
 def _step(vertices: UInt32Array, step: Array, fine: Array) -> None:
     for k in range(len(vertices)):
         for c in range(3):

@@ -11,7 +11,7 @@ from functools import lru_cache
 import numpy as np
 
 from ..core.arrays import Array, Float32Array, FloatArray
-from ..core.kernels.jit import f8, i8, index, lean_kernel
+from ..machine.jit import f8, i8, index, kernel
 
 SIZE = 64
 MASK = index(SIZE - 1)
@@ -41,7 +41,7 @@ def noise_at(points: FloatArray, wavelength: float) -> Array:
     return heights
 
 
-@lean_kernel
+@kernel("f4[:, :, :], f8[:, :], f8[:]")
 def _interpolate(tile: Float32Array, cells: FloatArray, out: Array) -> None:
     """Write heights (n,) at places (n, 3) in cells, interpolated between the corners of each cell."""
     for k in range(len(cells)):

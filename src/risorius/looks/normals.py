@@ -7,11 +7,11 @@ from copy import copy
 import numpy as np
 
 from ..core.arrays import Float32Array, Int32Array, IntArray
-from ..core.kernels.jit import f4, lean_kernel
-from ..core.kernels.vec import at, cross, sub, unit
+from ..machine.jit import f4, kernel
+from ..machine.vec import at, cross, sub, unit
 
 
-@lean_kernel
+@kernel("f4[:, :], i4[:, :], f4[:, :]")
 def face_normals(points: Float32Array, faces: Int32Array, out: Float32Array) -> None:
     """Write the normals (m, 3) of `faces` (m, 4), of length twice their area; triangles repeat a corner."""
     for f in range(len(faces)):
@@ -20,7 +20,7 @@ def face_normals(points: Float32Array, faces: Int32Array, out: Float32Array) -> 
         out[f, 0], out[f, 1], out[f, 2] = cross(first, second)
 
 
-@lean_kernel
+@kernel("f4[:, :], i4[:], i4[:], f4[:, :]")
 def vertex_normals(normals: Float32Array, starts: Int32Array, around: Int32Array, out: Float32Array) -> None:
     """Write unit normals (n, 3): at vertex i the sum over the faces `around[starts[i]:starts[i + 1]]`."""
     for i in range(len(starts) - 1):

@@ -17,14 +17,14 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arrays import Array, Float32Array, UInt32Array, UIntArray
-from ..core.kernels.jit import f4, fast_kernel
-from ..core.kernels.vec import at, cross, dot, sub
 from ..core.parameters import INDEX
 from ..face.frame import FaceFrame
 from ..face.head import Head
 from ..face.identity import Looks
 from ..face.products import SparseRows
 from ..face.regions import place_regions
+from ..machine.jit import f4, kernel
+from ..machine.vec import at, cross, dot, sub
 from .anatomy import smoothstep
 from .attributes import ALBEDO
 
@@ -143,7 +143,7 @@ def _smoothed(head: Head, area: Float32Array) -> sp.csr_matrix:
     return (sp.diags(1.0 / np.asarray(total.sum(axis=1)).ravel()) @ total).tocsr()
 
 
-@fast_kernel
+@kernel("f4[:, :], u4[:, :], f4[:], f4[:]", arithmetic="fast")
 def _measure(skin: Float32Array, quads: UInt32Array, area: Float32Array, out: Float32Array) -> None:
     """Write the share of its `area` (Q0,) that each quad has; the coarse vertices are the first of `skin`."""
     for q in range(len(quads)):
@@ -153,7 +153,7 @@ def _measure(skin: Float32Array, quads: UInt32Array, area: Float32Array, out: Fl
         out[q] = np.sqrt(dot(normal, normal)) / area[q]
 
 
-@fast_kernel
+@kernel("u4[:], u2[:], f4[:], f4[:], f4[:]", "u4[:], u4[:], f4[:], f4[:], f4[:]", arithmetic="fast")
 def _average(
     start: UInt32Array, column: UIntArray, weight: Float32Array, share: Float32Array, out: Float32Array
 ) -> None:
@@ -165,7 +165,11 @@ def _average(
         out[i] = min(max(f4(1) / max(mean, f4(0.1)) - f4(1), LEAST), MOST)
 
 
-@fast_kernel
+@kernel(
+    "u4[:], u2[:], f4[:], f4[:], u4[:], f4[:], f4[:], f4[:], f4, f4[:, :], f4[:, :]",
+    "u4[:], u4[:], f4[:], f4[:], u4[:], f4[:], f4[:], f4[:], f4, f4[:, :], f4[:, :]",
+    arithmetic="fast",
+)
 def _paint(
     start: UInt32Array,
     column: UIntArray,

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..core.arrays import Array, Float32Array, FloatArray, IndexArray
-from ..core.kernels.jit import lean_kernel
+from ..machine.jit import kernel
 
 TOLERANCE = 0.3  # mm by which a vertex may be off before the basis grows
 MOST = 40
@@ -138,7 +138,7 @@ def _distances(rest: Float32Array) -> Float32Array:
     return np.sqrt(squares, out=squares)
 
 
-@lean_kernel
+@kernel("f4[:, :], f4[:, :]")
 def _squares(rest: Float32Array, out: Float32Array) -> None:
     for f in range(len(out)):
         for v in range(out.shape[1]):

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 
-from ..core.kernels.jit import f4, fast_device
-from ..core.kernels.vec import Vec, add, dot, saturate
+from ..machine.jit import device, f4
+from ..machine.vec import Vec, add, dot, saturate
 
 _PI = f4(3.14159265)
 
 
-@fast_device
+@device("fast")
 def schlick(cosine: float, facing: float) -> float:
     """Return the reflected share of light at an angle given by its cosine (Schlick 1994).
 
@@ -21,7 +21,7 @@ def schlick(cosine: float, facing: float) -> float:
     return facing + (f4(1) - facing) * m2 * m2 * m
 
 
-@fast_device
+@device("fast")
 def mirrored(facing_light: float, facing_half: float, apart: float, alpha: float, head_on: float) -> float:
     """Return the value of `gloss` from terms that several widths `alpha` share.
 
@@ -35,7 +35,7 @@ def mirrored(facing_light: float, facing_half: float, apart: float, alpha: float
     return facing_light * a2 * apart * schlick(f4(0.5) * math.sqrt(apart), head_on) / (_PI * d * d)
 
 
-@fast_device
+@device("fast")
 def mirrored_change(
     facing_light: float, facing_half: float, apart: float, alpha: float, head_on: float
 ) -> tuple[float, float]:
@@ -48,7 +48,7 @@ def mirrored_change(
     return with_light, f4(4) * facing_light * with_light * facing_half * (f4(1) - a2) / d
 
 
-@fast_device
+@device("fast")
 def gloss(normal: Vec, view: Vec, light: Vec, alpha: float, facing: float) -> float:
     """Return the mirrored light times the cosine at the surface: GGX with Kelemen's visibility term."""
     half = add(view, light)

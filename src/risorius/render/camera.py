@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..core.arrays import Array, Float32Array, Int32Array
-from ..core.kernels.jit import f4, i4, lean_device, lean_kernel
 from ..errors import InputError
+from ..machine.jit import device, f4, i4, kernel
 from .raster import SUBPIXEL
 
 Coordinates = tuple[float, float, float]
@@ -76,20 +76,20 @@ def portrait(top: float, bottom: float, centre: Coordinates, field_of_view: floa
     return Camera((centre[0], middle, centre[2] + distance), target, field_of_view)
 
 
-@lean_device
+@device()
 def snap(position: float) -> int:
     """Return a position in samples as the nearest 1/256 sample."""
     return i4(math.floor(max(min(position * f4(SUBPIXEL), _FAR), -_FAR) + f4(0.5)))
 
 
-@lean_kernel
+@kernel("f4[:, :], f4[:, :], i4[:, :], f4[:]")
 def project(points: Float32Array, matrix: Float32Array, xy: Int32Array, key: Float32Array) -> None:
     """Write positions in 1/256 sample and keys (1 / distance) of points (n, 3) for `Camera.matrix`."""
     for i in range(len(points)):
         _project(points, matrix, i, xy, key)
 
 
-@lean_kernel
+@kernel("f4[:, :], f4[:, :], i4[:], i4[:, :], f4[:]")
 def project_pairs(
     points: Float32Array, matrix: Float32Array, pairs: Int32Array, xy: Int32Array, key: Float32Array
 ) -> None:
@@ -99,7 +99,7 @@ def project_pairs(
         _project(points, matrix, i + 1, xy, key)
 
 
-@lean_device
+@device()
 def _project(points: Float32Array, matrix: Float32Array, i: int, xy: Int32Array, key: Float32Array) -> None:
     x, y, z = points[i, 0], points[i, 1], points[i, 2]
     d = matrix[2, 0] * x + matrix[2, 1] * y + matrix[2, 2] * z + matrix[2, 3]

@@ -7,8 +7,8 @@ middle. Smooth skin costs one evaluation for each pixel; a pixel on an outline c
 from __future__ import annotations
 
 from ..core.arrays import Float32Array, Int32Array
-from ..core.kernels.jit import f4, f8, fast_device, fast_inlined, index
-from ..core.kernels.vec import Vec, at, dot, saturate
+from ..machine.jit import device, f4, f8, index
+from ..machine.vec import Vec, at, dot, saturate
 from .inputs import Batch, PosedMesh, Screen
 from .raster import SUBPIXEL
 
@@ -16,7 +16,7 @@ _SAME_DEPTH = f4(0.003)  # share of the distance within which samples of one sur
 _SAME_WAY = f4(0.5)  # least cosine between normals of connected samples: lips that touch are two surfaces
 
 
-@fast_device
+@device("fast")
 def collect(y: int, screen: Screen, mesh: PosedMesh, batch: Batch) -> int:
     """Find the patches of row y; return how many there are."""
     if screen.samples == 2:
@@ -24,7 +24,7 @@ def collect(y: int, screen: Screen, mesh: PosedMesh, batch: Batch) -> int:
     return _collect(y, screen.samples, screen, mesh, batch)
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _collect(y: int, side: int, screen: Screen, mesh: PosedMesh, batch: Batch) -> int:
     n = 0
     for x in range(screen.background.shape[1]):
@@ -32,7 +32,7 @@ def _collect(y: int, side: int, screen: Screen, mesh: PosedMesh, batch: Batch) -
     return n
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def collect_pixel(n: int, x: int, y: int, side: int, screen: Screen, mesh: PosedMesh, batch: Batch) -> int:
     """Write the patches of a pixel, from patch n on; return the number of the next patch."""
     middle = f4(0.5) * f4(side)
@@ -49,7 +49,7 @@ def collect_pixel(n: int, x: int, y: int, side: int, screen: Screen, mesh: Posed
     return n
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _survey(x: int, y: int, side: int, screen: Screen) -> tuple[int, bool, int]:
     """Return the first sample's triangle, whether all samples show it, and a bit for each sample in use."""
     first: int = screen.ids[index(y * side), index(x * side)]
@@ -63,7 +63,7 @@ def _survey(x: int, y: int, side: int, screen: Screen) -> tuple[int, bool, int]:
     return first, uniform, some
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _gather(
     n: int, x: int, y: int, side: int, waiting: int, screen: Screen, mesh: PosedMesh, batch: Batch
 ) -> int:
@@ -98,7 +98,7 @@ def _gather(
     return members
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def put_patch(n: int, x: int, count: int, u: float, v: float, t: int, mesh: PosedMesh, batch: Batch) -> None:
     """Write patch n: `count` samples of pixel x that show triangle t, their middle at (u, v) in samples."""
     batch.triangle[n] = t
@@ -108,7 +108,7 @@ def put_patch(n: int, x: int, count: int, u: float, v: float, t: int, mesh: Pose
     batch.weights[n, 0], batch.weights[n, 1], batch.weights[n, 2] = a, b, c
 
 
-@fast_device
+@device("fast")
 def weights_at(x: float, y: float, t: int, triangles: Int32Array, xy: Int32Array, key: Float32Array) -> Vec:
     """Return the weights of a place (x, y) in samples in triangle t, clipped to it, in true perspective."""
     a, b, c = index(triangles[t, 0]), index(triangles[t, 1]), index(triangles[t, 2])

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from ..core.array_cache import cached_arrays
 from ..core.arrays import Array, Float32Array, Int32Array, IntArray
-from ..core.kernels.jit import f4, i4, lean_kernel
 from ..face.head import Head
 from ..face.layouts import Dimples, Fold
 from ..face.marks import Marks
 from ..face.regions import PlacedRegion, place_regions
 from ..looks.noise import noise_at
+from ..machine.jit import f4, i4, kernel
 
 LINES, FOLD, DIMPLES = 0, 1, 2
 # Columns of `style`.
@@ -32,11 +32,11 @@ class Creases(NamedTuple):
     height that is shaded.
     """
 
-    regions: Int32Array
-    raised: Int32Array
-    place: Float32Array
-    height: Float32Array
-    style: Float32Array
+    regions: Annotated[Int32Array, "i4[:]"]
+    raised: Annotated[Int32Array, "i4[:]"]
+    place: Annotated[Float32Array, "f4[:, :, :]"]
+    height: Annotated[Float32Array, "f4[:, :]"]
+    style: Annotated[Float32Array, "f4[:, :]"]
 
 
 def lay_creases(head: Head, triangles: int) -> Creases:
@@ -66,7 +66,7 @@ def raise_creases(creases: Creases, triangles: Int32Array, wrinkles: Float32Arra
     _find_raised(creases, triangles)
 
 
-@lean_kernel
+@kernel("Creases, i4[:, :]")
 def _find_raised(creases: Creases, triangles: Int32Array) -> None:
     for t in range(len(triangles)):
         bits, r, raised = creases.regions[t], i4(0), i4(0)

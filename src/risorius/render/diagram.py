@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..core.arrays import ByteArray
-from ..core.kernels.jit import fast_kernel
+from ..machine.jit import kernel
 from .collect import collect
 from .inputs import Batch, Paint, Pose, PosedMesh, SceneLight, Screen, Tables
 from .materials.hair import shade_hairs
@@ -11,7 +11,9 @@ from .materials.plain import shade_plain
 from .shade import resolve, uncover
 
 
-@fast_kernel
+@kernel(
+    "Screen, PosedMesh, SceneLight, Pose, Tables, Paint, Batch, u1[:, :, :]", arithmetic="fast", wide=True
+)
 def shade_diagram(
     screen: Screen,
     mesh: PosedMesh,

@@ -7,10 +7,10 @@ a pixel costs three products and sums for each channel. Eyes and mouth are shade
 from __future__ import annotations
 
 from ..core.arrays import ByteArray
-from ..core.kernels.jit import f4, fast_device, fast_inlined, i4, index
-from ..core.kernels.vec import Vec, at, scale, weigh
 from ..looks.attributes import EXTRA, HAIR, SKIN
 from ..looks.garment import COLLAR
+from ..machine.jit import device, f4, i4, index
+from ..machine.vec import Vec, at, scale, weigh
 from .collect import weights_at
 from .inputs import Batch, Facets, Pose, PosedMesh, SceneLight, Screen, Tables
 from .materials.cloth import SEAM, collar_shade, light_cloth
@@ -26,7 +26,7 @@ _WAITING, _LISTED = f4(-1), f4(-2)  # instead of a colour: of vertices to be lit
 _PIXEL = f4(1 / SUBPIXEL)
 
 
-@fast_device
+@device("fast")
 def find_facets(
     facets: Facets,
     batch: Batch,
@@ -51,7 +51,7 @@ def find_facets(
             _find_facet(t, facets, mesh, tables)
 
 
-@fast_device
+@device("fast")
 def _mark_visible(facets: Facets, screen: Screen) -> None:
     """Mark the visible triangles; the first counts as visible, too, because a test would take longer."""
     for t in range(len(facets.kind)):
@@ -61,7 +61,7 @@ def _mark_visible(facets: Facets, screen: Screen) -> None:
             facets.kind[index(max(screen.ids[y, x], 0))] = _SEEN
 
 
-@fast_device
+@device("fast")
 def _list_vertices(facets: Facets, batch: Batch, mesh: PosedMesh) -> int:
     """Write a patch at each vertex, its `column`, of the visible triangles of skin; return how many."""
     for v in range(len(mesh.cloth_light)):
@@ -83,7 +83,7 @@ def _list_vertices(facets: Facets, batch: Batch, mesh: PosedMesh) -> int:
     return n
 
 
-@fast_device
+@device("fast")
 def _find_facet(t: int, facets: Facets, mesh: PosedMesh, tables: Tables) -> None:
     """Find the kind and colour of a visible triangle."""
     surface, corners = mesh.surfaces[t], corners_of(mesh.triangles, t)
@@ -108,7 +108,7 @@ def _find_facet(t: int, facets: Facets, mesh: PosedMesh, tables: Tables) -> None
     _spread(t, corners, lights, facets, mesh, tables)
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _spread(
     t: int, corners: Corners, lights: tuple[Vec, Vec, Vec], facets: Facets, mesh: PosedMesh, tables: Tables
 ) -> None:
@@ -129,7 +129,7 @@ def _spread(
         facets.plane[t, 6 + channel] = down
 
 
-@fast_device
+@device("fast")
 def shade_row(
     y: int, screen: Screen, mesh: PosedMesh, facets: Facets, batch: Batch, tables: Tables, out: ByteArray
 ) -> int:
@@ -159,7 +159,7 @@ def shade_row(
     return n
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _linear(facets: Facets, t: int, channel: int, x: float, y: float) -> int:
     """Return a channel's byte at a pixel of a triangle of linear colour."""
     value = (
@@ -170,14 +170,14 @@ def _linear(facets: Facets, t: int, channel: int, x: float, y: float) -> int:
     return i4(min(max(value, f4(0)), f4(255)))
 
 
-@fast_device
+@device("fast")
 def write_patches(y: int, n: int, batch: Batch, tables: Tables, out: ByteArray) -> None:
     """Write the first n patches of row y, a pixel each."""
     for k in range(n):
         _write(out, y, batch.column[k], tables, at(batch.colour, k))
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _hem(mesh: PosedMesh, t: int, weights: Vec) -> Vec:
     """Return the light of skin or cloth at a place in triangle t."""
     corners = corners_of(mesh.triangles, t)
@@ -192,7 +192,7 @@ def _hem(mesh: PosedMesh, t: int, weights: Vec) -> Vec:
     return scale(weigh(mesh.cloth_light, corners, weights, 0), collar_shade(depth))
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _write(out: ByteArray, y: int, x: int, tables: Tables, colour: Vec) -> None:
     red, green, blue = colour
     out[y, x, 0] = developed(tables.direct, red)

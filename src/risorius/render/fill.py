@@ -6,8 +6,8 @@ import math
 from typing import NamedTuple
 
 from ..core.arrays import Float32Array, Int32Array
-from ..core.kernels.jit import f4, f8, fast_inlined, i4, i8, index, lean_device
-from ..core.kernels.vec import Vec
+from ..machine.jit import device, f4, f8, i4, i8, index
+from ..machine.vec import Vec
 from .raster import HALF, SUBPIXEL, area_of, extent
 from .row_block import LANES, cover, cover_depth, cover_ribbon
 
@@ -39,7 +39,7 @@ class TriangleScan(NamedTuple):
     near: Vec
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def fill(
     xy: Int32Array,
     key: Float32Array,
@@ -83,7 +83,7 @@ def fill(
         _fill_rows(t, scan, depth, ids, keep)
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _fill_blocks(
     t: int, scan: TriangleScan, corners: CornerPlaces, depth: Float32Array, ids: Int32Array, keep: bool
 ) -> None:
@@ -99,17 +99,16 @@ def _fill_blocks(
         ec = i4(edges[2] + x * steps[2] + y * downs[2])
         k = near[0] + x * near[1] + y * near[2]
         across = i4(steps[0]), i4(steps[1]), i4(steps[2])
-        place = top * depth.shape[1] + start
-        for _ in range(top, bottom + 1):
+        for row in range(top, bottom + 1):
             if keep:
-                cover(depth, ids, place, (ea, eb, ec), across, f4(k), f4(near[1]), i4(t))
+                cover(depth, ids, row, start, (ea, eb, ec), across, f4(k), f4(near[1]), i4(t))
             else:
-                cover_depth(depth, place, (ea, eb, ec), across, f4(k), f4(near[1]))
+                cover_depth(depth, row, start, (ea, eb, ec), across, f4(k), f4(near[1]))
             ea, eb, ec = i4(ea + downs[0]), i4(eb + downs[1]), i4(ec + downs[2])
-            k, place = k + near[2], place + depth.shape[1]
+            k += near[2]
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def fill_ribbon(
     xy: Int32Array,
     key: Float32Array,
@@ -164,16 +163,18 @@ def fill_ribbon(
         x, y = begin - left, top - first
         f0, f1, f2 = i4(e0 + x * s0 + y * d0), i4(e1 + x * s1 + y * d1), i4(e2 + x * s2 + y * d2)
         f3, diagonal = i4(e3 + x * s3 + y * d3), i4(e4 + x * s4 + y * d4)
-        k, place = start + x * right_by + y * down_by, top * depth.shape[1] + begin
-        for _ in range(top, bottom + 1):
-            cover_ribbon(depth, ids, place, (f0, f1, f2, f3, diagonal), steps, f4(k), f4(right_by), i4(t))
+        k = start + x * right_by + y * down_by
+        for row in range(top, bottom + 1):
+            cover_ribbon(
+                depth, ids, row, begin, (f0, f1, f2, f3, diagonal), steps, f4(k), f4(right_by), i4(t)
+            )
             f0, f1, f2 = i4(f0 + d0), i4(f1 + d1), i4(f2 + d2)
             f3, diagonal = i4(f3 + d3), i4(diagonal + d4)
-            k, place = k + down_by, place + depth.shape[1]
+            k += down_by
     return True
 
 
-@lean_device
+@device()
 def _edge(side: int, px: int, py: int, qx: int, qy: int, x: int, y: int) -> tuple[int, int, int]:
     """Return the edge function of p to q at (x, y), with its bias, and its steps to the right and downwards.
 
@@ -183,13 +184,13 @@ def _edge(side: int, px: int, py: int, qx: int, qy: int, x: int, y: int) -> tupl
     return dx * (y - py) - dy * (x - px) + _bias(dx, dy), -dy * SUBPIXEL, dx * SUBPIXEL
 
 
-@lean_device
+@device()
 def _bias(dx: int, dy: int) -> int:
     """Return 0 for a top or left edge, whose samples belong to the triangle, and -1 for the others."""
     return 0 if dy < 0 or (dy == 0 and dx > 0) else -1
 
 
-@lean_device
+@device()
 def _rows_between(start: int, corners: CornerPlaces, first: int, last: int) -> tuple[int, int]:
     """Return the rows in which a triangle may have samples in the LANES columns from `start` on."""
     low, high = f4((start - 1) * SUBPIXEL), f4((start + LANES) * SUBPIXEL)
@@ -205,7 +206,7 @@ def _rows_between(start: int, corners: CornerPlaces, first: int, last: int) -> t
     return max(top, first), min(bottom, last)
 
 
-@lean_device
+@device()
 def _heights(low: float, high: float, px: float, py: float, qx: float, qy: float) -> tuple[float, float]:
     """Return the least and greatest y of an edge between two columns; for a vertical edge, y of one end."""
     left, right = min(px, qx), max(px, qx)
@@ -216,7 +217,7 @@ def _heights(low: float, high: float, px: float, py: float, qx: float, qy: float
     return min(one, other), max(one, other)
 
 
-@lean_device
+@device()
 def _divide(w: int, step: int) -> tuple[int, int]:
     """Return floor(w / |step|) and the remainder; a step of 0 counts as 1.
 
@@ -228,7 +229,7 @@ def _divide(w: int, step: int) -> tuple[int, int]:
     return whole, w - whole * by
 
 
-@lean_device
+@device()
 def _descend(whole: int, rest: int, more: int, over: int, step: int) -> tuple[int, int]:
     """Return quotient and remainder one row further down: add those of the increment."""
     whole, rest = whole + more, rest + over
@@ -236,7 +237,7 @@ def _descend(whole: int, rest: int, more: int, over: int, step: int) -> tuple[in
     return (whole + 1, rest - by) if rest >= by else (whole, rest)
 
 
-@lean_device
+@device()
 def _clip(whole: int, step: int, start: int, end: int) -> tuple[int, int]:
     """Shrink a range of whole i to those with w + step · i ≥ 0, where `whole` is floor(w / |step|)."""
     if step > 0:
@@ -246,7 +247,7 @@ def _clip(whole: int, step: int, start: int, end: int) -> tuple[int, int]:
     return start, end if whole >= 0 else i8(-1)
 
 
-@lean_device
+@device()
 def _fill_rows(t: int, scan: TriangleScan, depth: Float32Array, ids: Int32Array, keep: bool) -> None:
     """Draw the triangle row by row, between its first and last sample in each row."""
     first, last, left, right, edges, steps, downs, near = scan

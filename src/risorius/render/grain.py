@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from ..core.arrays import Float32Array
-from ..core.kernels.jit import f4, fast_device, index
-from ..core.kernels.vec import Vec
 from ..looks.noise import MASK, SIZE
+from ..machine.jit import device, f4, index
+from ..machine.vec import Vec
 
 _ONE = index(1)
 _SHIFT = f4(SIZE << 7)  # a whole number of tiles, so that cells are counted without sign
@@ -13,7 +13,7 @@ Cell = tuple[int, int, int]
 Heights = tuple[float, float, float, float, float, float, float, float]
 
 
-@fast_device
+@device("fast")
 def cell_of(point: Vec, cells: float) -> tuple[Cell, Vec]:
     """Return the cell of a point in mm, and its place in the cell; `cells` is the number of cells per mm."""
     x, y, z = point[0] * cells + _SHIFT, point[1] * cells + _SHIFT, point[2] * cells + _SHIFT
@@ -21,7 +21,7 @@ def cell_of(point: Vec, cells: float) -> tuple[Cell, Vec]:
     return (i & MASK, j & MASK, k & MASK), (x - f4(i), y - f4(j), z - f4(k))
 
 
-@fast_device
+@device("fast")
 def heights_about(tile: Float32Array, cell: Cell) -> Heights:
     """Return the heights at the eight corners of a cell: x varies fastest, z slowest."""
     i, j, k = cell
@@ -38,7 +38,7 @@ def heights_about(tile: Float32Array, cell: Cell) -> Heights:
     )
 
 
-@fast_device
+@device("fast")
 def between(h: Heights, way: Vec, cells: float) -> tuple[float, float, float, float]:
     """Return height and slope (per mm) at a place within a cell of those heights."""
     low, low_x, low_y = _layer(h[0], h[1], h[2], h[3], way[0], way[1])
@@ -52,14 +52,14 @@ def between(h: Heights, way: Vec, cells: float) -> tuple[float, float, float, fl
     )
 
 
-@fast_device
+@device("fast")
 def grain(tile: Float32Array, point: Vec, cells: float) -> tuple[float, float, float, float]:
     """Return height and slope (per mm) of the tile at a point in mm, with `cells` cells per mm."""
     cell, way = cell_of(point, cells)
     return between(heights_about(tile, cell), way, cells)
 
 
-@fast_device
+@device("fast")
 def _layer(a: float, b: float, c: float, d: float, u: float, v: float) -> tuple[float, float, float]:
     """Return height and slopes per cell in x and y within a layer of four corners."""
     near, far = a + (b - a) * u, c + (d - c) * u

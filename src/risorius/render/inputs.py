@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from ..core.arrays import ByteArray, Float32Array, Int32Array, Int64Array
 from .lanes import LANES, empty_block
-from .linear_block import COLUMNS
+from .linear_block import COLUMNS, MEANS
 
 
 class PosedMesh(NamedTuple):
@@ -21,22 +21,22 @@ class PosedMesh(NamedTuple):
     cloth; `crease_…` are those of `creases.Creases`.
     """
 
-    xy: Int32Array
-    key: Float32Array
-    positions: Float32Array
-    normals: Float32Array
-    attributes: Float32Array
-    rest: Float32Array
-    reach: Float32Array
-    shadow: Float32Array
-    vertex_light: Float32Array
-    cloth_light: Float32Array
-    triangles: Int32Array
-    surfaces: Int32Array
-    crease_raised: Int32Array
-    crease_place: Float32Array
-    crease_height: Float32Array
-    crease_style: Float32Array
+    xy: Annotated[Int32Array, "i4[:, :]"]
+    key: Annotated[Float32Array, "f4[:]"]
+    positions: Annotated[Float32Array, "f4[:, :]"]
+    normals: Annotated[Float32Array, "f4[:, :]"]
+    attributes: Annotated[Float32Array, "f4[:, :]"]
+    rest: Annotated[Float32Array, "f4[:, :]"]
+    reach: Annotated[Float32Array, "f4[:, :]"]
+    shadow: Annotated[Float32Array, "f4[:]"]
+    vertex_light: Annotated[Float32Array, "f4[:, :]"]
+    cloth_light: Annotated[Float32Array, "f4[:, :]"]
+    triangles: Annotated[Int32Array, "i4[:, :]"]
+    surfaces: Annotated[Int32Array, "i4[:]"]
+    crease_raised: Annotated[Int32Array, "i4[:]"]
+    crease_place: Annotated[Float32Array, "f4[:, :, :]"]
+    crease_height: Annotated[Float32Array, "f4[:, :]"]
+    crease_style: Annotated[Float32Array, "f4[:, :]"]
 
 
 class SceneLight(NamedTuple):
@@ -47,14 +47,14 @@ class SceneLight(NamedTuple):
     radii of the iris.
     """
 
-    lamps: Float32Array
-    ambient: Float32Array
-    shadow: Float32Array
-    shadow_low: Float32Array
-    shadow_high: Float32Array
-    shadow_matrix: Float32Array
-    bias: float
-    pupil: float
+    lamps: Annotated[Float32Array, "f4[:, :]"]
+    ambient: Annotated[Float32Array, "f4[:, :]"]
+    shadow: Annotated[Float32Array, "f4[:, :]"]
+    shadow_low: Annotated[Float32Array, "f4[:, :]"]
+    shadow_high: Annotated[Float32Array, "f4[:, :]"]
+    shadow_matrix: Annotated[Float32Array, "f4[:, :]"]
+    bias: Annotated[float, "f4"]
+    pupil: Annotated[float, "f4"]
 
 
 class Pose(NamedTuple):
@@ -66,15 +66,15 @@ class Pose(NamedTuple):
     (LIP_STEPS, 4) upper y and z, lower y and z, at x from `lip_span[0]` to `lip_span[1]`.
     """
 
-    rotation: Float32Array
-    pivot: Float32Array
-    eyes: Float32Array
-    eye_axes: Float32Array
-    eye_radius: Float32Array
-    lids: Float32Array
-    lid_span: Float32Array
-    lips: Float32Array
-    lip_span: Float32Array
+    rotation: Annotated[Float32Array, "f4[:, :]"]
+    pivot: Annotated[Float32Array, "f4[:]"]
+    eyes: Annotated[Float32Array, "f4[:, :]"]
+    eye_axes: Annotated[Float32Array, "f4[:, :, :]"]
+    eye_radius: Annotated[Float32Array, "f4[:]"]
+    lids: Annotated[Float32Array, "f4[:, :, :]"]
+    lid_span: Annotated[Float32Array, "f4[:, :]"]
+    lips: Annotated[Float32Array, "f4[:, :]"]
+    lip_span: Annotated[Float32Array, "f4[:]"]
 
 
 class Tables(NamedTuple):
@@ -84,13 +84,13 @@ class Tables(NamedTuple):
     scene light to bytes, one after the other and `direct`.
     """
 
-    diffuse: Float32Array
-    grain: Float32Array
-    iris: Float32Array
-    cloth: Float32Array
-    film: Float32Array
-    bytes: ByteArray
-    direct: ByteArray
+    diffuse: Annotated[Float32Array, "f4[:, :, :]"]
+    grain: Annotated[Float32Array, "f4[:, :, :]"]
+    iris: Annotated[Float32Array, "f4[:, :, :]"]
+    cloth: Annotated[Float32Array, "f4[:]"]
+    film: Annotated[Float32Array, "f4[:]"]
+    bytes: Annotated[ByteArray, "u1[:]"]
+    direct: Annotated[ByteArray, "u1[:]"]
 
 
 class Paint(NamedTuple):
@@ -101,11 +101,11 @@ class Paint(NamedTuple):
     (4,) the lines' colour and opacity.
     """
 
-    covered: Int64Array
-    place: Float32Array
-    colours: Float32Array
-    edges: Float32Array
-    ink: Float32Array
+    covered: Annotated[Int64Array, "i8[:]"]
+    place: Annotated[Float32Array, "f4[:, :, :]"]
+    colours: Annotated[Float32Array, "f4[:, :]"]
+    edges: Annotated[Float32Array, "f4[:, :]"]
+    ink: Annotated[Float32Array, "f4[:]"]
 
 
 class Screen(NamedTuple):
@@ -118,17 +118,17 @@ class Screen(NamedTuple):
     the picture; `empty` (height, width, 3) uint8 is the picture of the background alone.
     """
 
-    ids: Int32Array
-    depth: Float32Array
-    order: Int32Array
-    rows: Int32Array
-    chunks: Int32Array
-    samples: int
-    eye: Float32Array
-    pixel: float
-    detail: float
-    background: Float32Array
-    empty: ByteArray
+    ids: Annotated[Int32Array, "i4[:, :]"]
+    depth: Annotated[Float32Array, "f4[:, :]"]
+    order: Annotated[Int32Array, "i4[:]"]
+    rows: Annotated[Int32Array, "i4[:, :]"]
+    chunks: Annotated[Int32Array, "i4[:, :]"]
+    samples: Annotated[int, "i8"]
+    eye: Annotated[Float32Array, "f4[:]"]
+    pixel: Annotated[float, "f4"]
+    detail: Annotated[float, "f4"]
+    background: Annotated[Float32Array, "f4[:, :, :]"]
+    empty: Annotated[ByteArray, "u1[:, :, :]"]
 
 
 class Batch(NamedTuple):
@@ -140,13 +140,13 @@ class Batch(NamedTuple):
     shaded in blocks have their numbers in `chosen` (LANES,) and all else in `block` (see `lanes`).
     """
 
-    triangle: Int32Array
-    column: Int32Array
-    samples: Int32Array
-    weights: Float32Array
-    colour: Float32Array
-    chosen: Int32Array
-    block: Float32Array
+    triangle: Annotated[Int32Array, "i4[:]"]
+    column: Annotated[Int32Array, "i4[:]"]
+    samples: Annotated[Int32Array, "i4[:]"]
+    weights: Annotated[Float32Array, "f4[:, :]"]
+    colour: Annotated[Float32Array, "f4[:, :]"]
+    chosen: Annotated[Int32Array, "i4[:]"]
+    block: Annotated[Float32Array, "f4[:]"]
 
 
 class Facets(NamedTuple):
@@ -156,8 +156,8 @@ class Facets(NamedTuple):
     corner, what it gains from pixel to pixel to the right, and what it gains downwards.
     """
 
-    kind: ByteArray
-    plane: Float32Array
+    kind: Annotated[ByteArray, "u1[:]"]
+    plane: Annotated[Float32Array, "f4[:, :]"]
 
 
 class LinearTriangles(NamedTuple):
@@ -168,14 +168,15 @@ class LinearTriangles(NamedTuple):
     group, 0 to 2 are the display light, 3 to 5 the skin's place at rest, 6 the share that is covered, and 7
     the share of skin; the last group has the shares by which a height and a slope of the pores change the
     light. `display` (n, 3) is the display light of vertices, `pores` (N1, 4) are these shares; `others`
-    (width,) are the pixels of a row that show other triangles.
+    (width,) are the pixels of a row that show other triangles; `means` (MEANS,) is scratch.
     """
 
-    row: Int32Array
-    planes: Float32Array
-    display: Float32Array
-    pores: Float32Array
-    others: Int32Array
+    row: Annotated[Int32Array, "i4[:]"]
+    planes: Annotated[Float32Array, "f4[:, :]"]
+    display: Annotated[Float32Array, "f4[:, :]"]
+    pores: Annotated[Float32Array, "f4[:, :]"]
+    others: Annotated[Int32Array, "i4[:]"]
+    means: Annotated[Float32Array, "f4[:]"]
 
 
 def empty_linear(triangles: int, vertices: int, skin: int, width: int) -> LinearTriangles:
@@ -183,7 +184,7 @@ def empty_linear(triangles: int, vertices: int, skin: int, width: int) -> Linear
     planes = np.zeros((triangles + 2, COLUMNS), np.float32)
     display, pores = np.zeros((vertices, 3), np.float32), np.zeros((skin, 4), np.float32)
     row, others = np.zeros(triangles + 1, np.int32), np.zeros(width, np.int32)
-    return LinearTriangles(row, planes, display, pores, others)
+    return LinearTriangles(row, planes, display, pores, others, np.zeros(MEANS, np.float32))
 
 
 def empty_facets(count: int) -> Facets:

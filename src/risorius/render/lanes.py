@@ -11,8 +11,8 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import Float32Array
-from ..core.kernels.jit import fast_device
-from ..core.kernels.vec import Vec, sub, unit
+from ..machine.jit import device
+from ..machine.vec import Vec, sub, unit
 from .grain import Heights
 
 LANES = 64
@@ -35,19 +35,19 @@ def empty_block() -> Float32Array:
     return np.ones(_SIZE, np.float32)
 
 
-@fast_device
+@device("fast")
 def get(block: Float32Array, first: int, k: int) -> Vec:
     """Return the vector of patch k."""
     return block[first + k], block[first + LANES + k], block[first + 2 * LANES + k]
 
 
-@fast_device
+@device("fast")
 def put(block: Float32Array, first: int, k: int, vector: Vec) -> None:
     """Set the vector of patch k."""
     block[first + k], block[first + LANES + k], block[first + 2 * LANES + k] = vector
 
 
-@fast_device
+@device("fast")
 def heights_in(block: Float32Array, k: int) -> Heights:
     """Return the eight heights of the grain about patch k."""
     return (
@@ -62,7 +62,7 @@ def heights_in(block: Float32Array, k: int) -> Heights:
     )
 
 
-@fast_device
+@device("fast")
 def face(block: Float32Array, eye: Vec) -> None:
     """Scale the normals to length 1, and compute the directions to the camera."""
     for k in range(LANES):

@@ -8,9 +8,9 @@ frame alone, so that pictures do not depend on which others are drawn.
 from __future__ import annotations
 
 from ..core.arrays import ByteArray, Float32Array, Int32Array
-from ..core.kernels.jit import f4, fast_device, fast_inlined, i8, index
-from ..core.kernels.vec import Vec, along, at, dot, scale
 from ..looks.attributes import EXTRA, HAIR, INNER, ROUGHNESS, SKIN
+from ..machine.jit import device, f4, i8, index
+from ..machine.vec import Vec, along, at, dot, scale
 from .collect import collect_pixel
 from .grain import between, cell_of, heights_about
 from .inputs import Batch, LinearTriangles, Pose, PosedMesh, SceneLight, Screen, Tables
@@ -30,7 +30,7 @@ from .lanes import (
     heights_in,
     put,
 )
-from .linear_block import GROUP, Mean, mean_at
+from .linear_block import GROUP, mean_at
 from .materials.cloth import STITCHES, covers, light_cloth_vertices
 from .materials.patch import Corners, corners_of
 from .materials.patch import put as put_light
@@ -56,7 +56,7 @@ _RIGHT, _DOWN, _SAME = GROUP, 2 * GROUP, 3 * GROUP
 _ONE = index(1)
 
 
-@fast_device
+@device("fast")
 def find_linear(
     linear: LinearTriangles,
     batch: Batch,
@@ -86,7 +86,7 @@ def find_linear(
         linear.row[t + _ONE] = number
 
 
-@fast_device
+@device("fast")
 def _list_vertices(linear: LinearTriangles, batch: Batch, mesh: PosedMesh, screen: Screen) -> tuple[int, int]:
     """Mark the triangles that may be linear; list their vertices of skin and cloth in `batch.column`.
 
@@ -123,7 +123,7 @@ def _list_vertices(linear: LinearTriangles, batch: Batch, mesh: PosedMesh, scree
     return bare, clothed
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _even(t: int, corners: Corners, mesh: PosedMesh, screen: Screen) -> bool:
     """Return whether no shadow ends within triangle t, or one whose edge is wide beside the triangle."""
     a, b, c = mesh.shadow[corners[0]], mesh.shadow[corners[1]], mesh.shadow[corners[2]]
@@ -131,7 +131,7 @@ def _even(t: int, corners: Corners, mesh: PosedMesh, screen: Screen) -> bool:
     return bool(apart <= EVEN or (apart <= _GRADUAL and screen.rows[t, 1] - screen.rows[t, 0] < _SMALL))
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _bare(t: int, corners: Corners, mesh: PosedMesh, pixel: float) -> bool:
     """Return whether triangle t of skin is bare, neither wet nor within the mouth, and has no folds."""
     a, b, c = corners
@@ -141,7 +141,7 @@ def _bare(t: int, corners: Corners, mesh: PosedMesh, pixel: float) -> bool:
     return bool(mesh.crease_raised[t] == 0 and cloth < -pixel and inner <= INNER_MOUTH and rough >= _WET)
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _write_planes(r: int, t: int, linear: LinearTriangles, mesh: PosedMesh) -> bool:
     """Write row r of the planes for triangle t; return whether its light is linear."""
     corners, skin = corners_of(mesh.triangles, t), mesh.surfaces[t] == SKIN
@@ -175,7 +175,7 @@ def _write_planes(r: int, t: int, linear: LinearTriangles, mesh: PosedMesh) -> b
     return True
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _spread(
     planes: Float32Array,
     r: int,
@@ -194,13 +194,13 @@ def _spread(
     planes[r, _DOWN + column] = down
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _exposed(film: Float32Array, light: Vec) -> Vec:
     """Return the display light of scene light."""
     return exposed(film, light[0]), exposed(film, light[1]), exposed(film, light[2])
 
 
-@fast_device
+@device("fast")
 def draw_row(
     y: int,
     screen: Screen,
@@ -235,7 +235,7 @@ def draw_row(
     return n
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _rows(row: Int32Array, one: int, two: int, three: int, four: int) -> tuple[int, int, int, int]:
     """Return the rows of planes of four triangles, −1 being the background."""
     return (
@@ -246,16 +246,16 @@ def _rows(row: Int32Array, one: int, two: int, three: int, four: int) -> tuple[i
     )
 
 
-@fast_inlined
-def _put(block: Float32Array, lane: int, mean: Mean) -> None:
-    """Put the result of `mean_at` into a lane."""
+@device("fast", inlined=True)
+def _put(block: Float32Array, lane: int, mean: Float32Array) -> None:
+    """Put the means of `mean_at` into a lane."""
     put(block, TOTAL, lane, (mean[0], mean[1], mean[2]))
     put(block, REST, lane, (mean[3], mean[4], mean[5]))
     block[FREE + lane], block[SHARE + lane], block[STRENGTH + lane] = mean[6], mean[7], mean[8]
     put(block, SOFT, lane, (mean[9], mean[10], mean[11]))
 
 
-@fast_device
+@device("fast")
 def _draw_block(
     y: int, count: int, screen: Screen, linear: LinearTriangles, batch: Batch, tables: Tables, out: ByteArray
 ) -> None:
@@ -267,7 +267,8 @@ def _draw_block(
         one, two = screen.ids[top, left], screen.ids[top, left + _ONE]
         three, four = screen.ids[top + _ONE, left], screen.ids[top + _ONE, left + _ONE]
         rows = _rows(linear.row, one, two, three, four)
-        _put(block, k, mean_at(linear.planes, rows, f4(SIDE * x) + f4(0.5), f4(SIDE * y) + f4(0.5)))
+        mean_at(linear.planes, rows, f4(SIDE * x) + f4(0.5), f4(SIDE * y) + f4(0.5), linear.means)
+        _put(block, k, linear.means)
     for k in range(LANES):
         part = f4(1) / max(block[SHARE + k], f4(0.1))  # the share is a number of quarters
         cell, way = cell_of(scale(get(block, REST, k), part), f4(1))

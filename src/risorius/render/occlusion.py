@@ -8,7 +8,7 @@ import numpy as np
 
 from ..core.array_cache import cached_arrays
 from ..core.arrays import Array, ByteArray, Float32Array, FloatArray, Int32Array
-from ..core.kernels.jit import f4, lean_kernel
+from ..machine.jit import f4, kernel
 from .shadow import flatten, light_matrix, transform
 from .visibility import Visibility
 
@@ -82,7 +82,7 @@ def _seen(mesh: Occluder, centre: Array, radius: float, directions: Array, *, co
     return np.asarray(sums[:, 0] / np.maximum(sums[:, 1], 1e-6), np.float32)
 
 
-@lean_kernel
+@kernel("f4[:, :], f4[:, :], f4[:], f4[:, :], f4[:, :], f4, b1, f4[:, :]")
 def _gather(
     points: Float32Array,
     normals: Float32Array,

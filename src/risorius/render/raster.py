@@ -7,14 +7,14 @@ edge that two triangles share belongs to exactly one of them (the top-left rule)
 from __future__ import annotations
 
 from ..core.arrays import ByteArray, Int32Array
-from ..core.kernels.jit import i8, index, lean_device, lean_kernel
+from ..machine.jit import device, i8, index, kernel
 
 SUBPIXEL = 256
 HALF = SUBPIXEL // 2
 CHUNK = 64  # triangles whose joint extent is tested at once
 
 
-@lean_device
+@device()
 def area_of(xy: Int32Array, a: int, b: int, c: int) -> int:
     """Twice the signed area: positive where the corners run clockwise in the picture (y down)."""
     abx = i8(xy[b, 0]) - i8(xy[a, 0])
@@ -24,7 +24,7 @@ def area_of(xy: Int32Array, a: int, b: int, c: int) -> int:
     return abx * acy - aby * acx
 
 
-@lean_device
+@device()
 def extent(p: int, q: int, r: int, limit: int) -> tuple[int, int]:
     """Return the first and last sample whose centre lies between the least and the greatest coordinate."""
     first = (min(p, q, r) - HALF + SUBPIXEL - 1) // SUBPIXEL
@@ -32,7 +32,7 @@ def extent(p: int, q: int, r: int, limit: int) -> tuple[int, int]:
     return max(first, 0), min(last, limit - 1)
 
 
-@lean_device
+@device()
 def is_ribbon(triangles: Int32Array, t: int, after: int) -> bool:
     """Return whether triangle t and the one drawn `after` it are a segment of a hair.
 
@@ -49,7 +49,7 @@ def is_ribbon(triangles: Int32Array, t: int, after: int) -> bool:
     )
 
 
-@lean_kernel
+@kernel("i4[:, :], i4[:, :], i4[:], u1[:], i8, i8, i4[:, :], i4[:, :]")
 def find_rows(
     xy: Int32Array,
     triangles: Int32Array,

@@ -5,15 +5,15 @@ from __future__ import annotations
 import math
 
 from ..core.arrays import Float32Array, Int8Array, Int32Array
-from ..core.kernels.jit import f4, i8, lean_device, lean_kernel
-from ..core.kernels.vec import Vec, along, at, cross, dot, scale, sub, unit, weigh
+from ..machine.jit import device, f4, i8, kernel
+from ..machine.vec import Vec, along, at, cross, dot, scale, sub, unit, weigh
 
 WHOLE, NOTHING = (0, 127), (127, -1)
 """First and last point to draw: of a whole hair of any number of points, and of a hair that is not drawn."""
 _GOLDEN = f4(0.61803)  # multiples of this, modulo 1, are spread evenly for any number of hairs
 
 
-@lean_device
+@device()
 def _frame(
     positions: Float32Array, normals: Float32Array, corners: tuple[int, int, int], place: Vec
 ) -> tuple[Vec, Vec, Vec]:
@@ -23,14 +23,14 @@ def _frame(
     return edge, cross(normal, edge), normal
 
 
-@lean_device
+@device()
 def _point(curves: Float32Array, s: int, k: int, origin: Vec, frame: tuple[Vec, Vec, Vec]) -> Vec:
     p = along(origin, frame[0], curves[s, k, 0])
     p = along(p, frame[1], curves[s, k, 1])
     return along(p, frame[2], curves[s, k, 2])
 
 
-@lean_device
+@device()
 def _collapse(positions: Float32Array, normals: Float32Array, start: int, end: int, place: Vec) -> None:
     """Move vertices of a ribbon to one place, so that it is neither drawn nor lit."""
     for row in range(start, end):
@@ -38,7 +38,7 @@ def _collapse(positions: Float32Array, normals: Float32Array, start: int, end: i
         normals[row, 0], normals[row, 1], normals[row, 2] = f4(0), f4(0), f4(0)
 
 
-@lean_device
+@device()
 def _double(positions: Float32Array, normals: Float32Array, start: int, end: int, like: int) -> None:
     """Move pairs of vertices of a ribbon to the pair `like`, so that the ribbon ends there."""
     for row in range(start, end, 2):
@@ -48,7 +48,7 @@ def _double(positions: Float32Array, normals: Float32Array, start: int, end: int
                 normals[row + side, column] = f4(0)
 
 
-@lean_kernel
+@kernel("f4[:, :], f4[:, :], i4[:, :], f4[:, :], f4[:, :, :], f4[:, :], i1[:, :], f4[:], i8, f4, f4")
 def ribbons(
     positions: Float32Array,
     normals: Float32Array,

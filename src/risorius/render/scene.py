@@ -8,7 +8,6 @@ from typing import NamedTuple
 import numpy as np
 
 from ..core.arrays import AnyArray, ByteArray, Float32Array, Int8Array, Int32Array
-from ..core.kernels.jit import f4
 from ..errors import InputError
 from ..face.frame import FaceFrame
 from ..looks.anatomy import smoothstep
@@ -21,6 +20,7 @@ from ..looks.parts import Part, hair_attributes
 from ..looks.perfusion import Perfusion
 from ..looks.scalp import hair_shade
 from ..looks.srgb import linear
+from ..machine.jit import f4
 from .aperture import lid_margins, lip_edges
 from .creases import lay_creases, raise_creases
 from .inputs import Pose

@@ -7,7 +7,7 @@ shades its own.
 from __future__ import annotations
 
 from ..core.arrays import ByteArray, Int32Array
-from ..core.kernels.jit import f4, fast_device, fast_inlined, fast_kernel, index
+from ..machine.jit import device, f4, index, kernel
 from .collect import collect
 from .draft import find_facets, shade_row, write_patches
 from .inputs import Batch, Facets, LinearTriangles, Pose, PosedMesh, SceneLight, Screen, Tables
@@ -21,7 +21,7 @@ from .tone import developed, exposed, to_byte
 from .visibility import BAND, rasterize
 
 
-@fast_kernel
+@kernel("Screen, PosedMesh, SceneLight, Pose, Tables, Batch, u1[:, :, :]", arithmetic="fast", wide=True)
 def shade(
     screen: Screen,
     mesh: PosedMesh,
@@ -39,7 +39,11 @@ def shade(
         resolve(y, n, screen, batch, tables, out)
 
 
-@fast_kernel
+@kernel(
+    "Screen, PosedMesh, SceneLight, Pose, Tables, i4[:], Batch, LinearTriangles, u1[:, :, :]",
+    arithmetic="fast",
+    wide=True,
+)
 def shade_linear(
     screen: Screen,
     mesh: PosedMesh,
@@ -60,7 +64,9 @@ def shade_linear(
         resolve_patches(y, n, screen, batch, tables, out)
 
 
-@fast_kernel
+@kernel(
+    "Screen, PosedMesh, SceneLight, Pose, Tables, Batch, Facets, u1[:, :, :]", arithmetic="fast", wide=True
+)
 def shade_draft(
     screen: Screen,
     mesh: PosedMesh,
@@ -82,7 +88,7 @@ def shade_draft(
         write_patches(y, n, batch, tables, out)
 
 
-@fast_device
+@device("fast")
 def uncover(y: int, screen: Screen, mesh: PosedMesh) -> None:
     """Draw the band of samples that begins with row y of the picture, if there is one."""
     band = BAND // screen.samples
@@ -102,7 +108,7 @@ def uncover(y: int, screen: Screen, mesh: PosedMesh) -> None:
         )
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _shade_patches(
     n: int,
     batch: Batch,
@@ -120,7 +126,7 @@ def _shade_patches(
     shade_mouth(n, batch, mesh, screen, light, pose)
 
 
-@fast_device
+@device("fast")
 def resolve(y: int, n: int, screen: Screen, batch: Batch, tables: Tables, out: ByteArray) -> None:
     """Write row y: each pixel is the mean of its patches and the background, weighted by samples."""
     for x in range(out.shape[1]):
@@ -132,7 +138,7 @@ def resolve(y: int, n: int, screen: Screen, batch: Batch, tables: Tables, out: B
     resolve_patches(y, n, screen, batch, tables, out)
 
 
-@fast_device
+@device("fast")
 def resolve_patches(y: int, n: int, screen: Screen, batch: Batch, tables: Tables, out: ByteArray) -> None:
     """Write the pixels of row y that have patches."""
     whole, k = screen.samples * screen.samples, 0

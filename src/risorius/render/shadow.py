@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import ByteArray, Float32Array, FloatArray, Int32Array
-from ..core.kernels.jit import f4, fast_device, fast_summing_device, index, lean_kernel
-from ..core.kernels.vec import Vec, at
+from ..machine.jit import device, f4, index, kernel
+from ..machine.vec import Vec, at
 from .camera import snap
 from .visibility import Visibility
 
@@ -73,7 +73,7 @@ def light_matrix(direction: FloatArray, centre: FloatArray, radius: float, size:
     return np.concatenate([rows, offset[:, None]], axis=1).astype(np.float32)
 
 
-@fast_device
+@device("fast")
 def transform(matrix: Float32Array, p: Vec) -> Vec:
     """Return matrix (3, 4) · (p, 1)."""
     return (
@@ -83,7 +83,7 @@ def transform(matrix: Float32Array, p: Vec) -> Vec:
     )
 
 
-@lean_kernel
+@kernel("f4[:, :], f4[:, :], i4[:, :], f4[:]")
 def flatten(points: Float32Array, matrix: Float32Array, xy: Int32Array, key: Float32Array) -> None:
     """Write positions in 1/256 texel and depths of points (n, 3) for `light_matrix`."""
     for i in range(len(points)):
@@ -93,7 +93,7 @@ def flatten(points: Float32Array, matrix: Float32Array, xy: Int32Array, key: Flo
         key[i] = max(d, f4(0.001))
 
 
-@lean_kernel
+@kernel("f4[:, :], f4[:, :], f4[:, :], f4[:, :]")
 def find_bounds(depth: Float32Array, rows: Float32Array, low: Float32Array, high: Float32Array) -> None:
     """Write the least and the greatest depth among the _TAPS × _TAPS texels that start at each texel.
 
@@ -127,7 +127,7 @@ def find_bounds(depth: Float32Array, rows: Float32Array, low: Float32Array, high
             )
 
 
-@fast_device
+@device("fast")
 def lit(
     depth: Float32Array, low: Float32Array, high: Float32Array, matrix: Float32Array, p: Vec, bias: float
 ) -> float:
@@ -146,7 +146,7 @@ def lit(
     return _tent(depth, i, j, x - f4(i), y - f4(j), near)
 
 
-@fast_summing_device
+@device("fast sums")
 def _tent(depth: Float32Array, i: int, j: int, s: float, t: float, near: float) -> float:
     """Return the share of texels about (i + s, j + t) that lie no nearer to the lamp than `near`.
 

@@ -8,7 +8,6 @@ from copy import copy
 import numpy as np
 
 from ..core.arrays import Array, ByteArray, Float32Array, Int32Array
-from ..core.kernels.jit import f4
 from ..core.look import QUALITIES, STYLES, Size
 from ..errors import InputError, unknown
 from ..face.frame import FaceFrame
@@ -16,6 +15,7 @@ from ..face.subdivide import triangulate
 from ..looks.eyeball import iris_image
 from ..looks.head_model import HeadModel, thin_hair
 from ..looks.noise import noise_tile
+from ..machine.jit import f4
 from .backdrop import gradient
 from .camera import Camera, project, project_pairs
 from .cutout import covered, cut_out

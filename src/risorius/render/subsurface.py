@@ -10,9 +10,9 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import Float32Array
-from ..core.kernels.jit import f4, fast_device, index
-from ..core.kernels.vec import Vec, bounded
 from ..looks.attributes import MAX_CURVATURE
+from ..machine.jit import device, f4, index
+from ..machine.vec import Vec, bounded
 
 _VARIANCES = np.array([0.0064, 0.0484, 0.187, 0.567, 1.99, 7.41])  # mm²
 _WEIGHTS = np.array(
@@ -54,19 +54,19 @@ def diffuse_table() -> Float32Array:
     return table
 
 
-@fast_device
+@device("fast")
 def angle_place(cosine: float) -> float:
     """Return the row of the table, with its fraction, for the cosine between normal and light."""
     return bounded((cosine + f4(1)) * f4(0.5), f4(0.9999)) * f4(ANGLES - 1)
 
 
-@fast_device
+@device("fast")
 def curvature_place(curvature: float) -> float:
     """Return the column of the table, with its fraction, for a curvature in 1/mm."""
     return bounded(curvature * f4(1 / MAX_CURVATURE), f4(0.9999)) * f4(CURVATURES - 1)
 
 
-@fast_device
+@device("fast")
 def scattered(table: Float32Array, x: float, y: float) -> Vec:
     """Return the table's value at `angle_place` and `curvature_place`, interpolated linearly."""
     i, j = index(x), index(y)
@@ -81,7 +81,7 @@ def scattered(table: Float32Array, x: float, y: float) -> Vec:
     )
 
 
-@fast_device
+@device("fast")
 def steepness(table: Float32Array, x: float, y: float) -> float:
     """Return how the table's green changes with the cosine at `angle_place` and `curvature_place`."""
     i, j = index(x), index(y)

@@ -7,9 +7,9 @@ import math
 import numpy as np
 
 from ..core.arrays import Array, ByteArray, Float32Array, FloatArray
-from ..core.kernels.jit import f4, fast_device, index
-from ..core.kernels.vec import bounded
 from ..looks.srgb import srgb_encode
+from ..machine.jit import device, f4, index
+from ..machine.vec import bounded
 
 TONES = 4096
 WHITE = 6.0  # scene light that becomes full white
@@ -39,34 +39,34 @@ def to_bytes(light: Float32Array) -> ByteArray:
     return tone_table()[place.astype(np.uint32)]
 
 
-@fast_device
+@device("fast")
 def exposed(table: Float32Array, light: float) -> float:
     """Look up the display light of scene light in `film_table`."""
     display: float = table[_place(light)]
     return display
 
 
-@fast_device
+@device("fast")
 def _place(light: float) -> int:
     x = math.sqrt(bounded(light, f4(WHITE))) * f4((TONES - 1) / math.sqrt(WHITE))
     return index(x + f4(0.5))
 
 
-@fast_device
+@device("fast")
 def developed(table: ByteArray, light: float) -> int:
     """Look up the byte for one channel of scene light in `to_bytes(film_table())`."""
     byte: int = table[_place(light)]
     return byte
 
 
-@fast_device
+@device("fast")
 def to_byte(table: ByteArray, light: float) -> int:
     """Look up the byte for one channel of display light 0..1."""
     byte: int = table[index(byte_place(light))]
     return byte
 
 
-@fast_device
+@device("fast")
 def byte_place(light: float) -> float:
     """Return the place of display light in `tone_table`, of which the whole part counts."""
     return math.sqrt(bounded(light, f4(1))) * f4(TONES - 1) + f4(0.5)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from ..core.arrays import Float32Array
-from ..core.kernels.jit import lean_kernel
+from ..machine.jit import kernel
 
 
-@lean_kernel
+@kernel("f4[:, :], f4[:], f4[:, :], f4[:], f4[:, :]")
 def turn(
     points: Float32Array, weight: Float32Array, rotation: Float32Array, pivot: Float32Array, out: Float32Array
 ) -> None:

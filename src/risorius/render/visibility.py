@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import ByteArray, Float32Array, Int32Array
-from ..core.kernels.jit import f4, index, lean_device, lean_kernel
+from ..machine.jit import device, f4, index, kernel
 from .fill import fill, fill_ribbon
 from .raster import CHUNK, find_rows, is_ribbon
 
@@ -56,7 +56,7 @@ class Visibility:
         find_rows(xy, triangles, self.order, two_sided, height, width, self.rows, self.chunks)
 
 
-@lean_kernel
+@kernel("i4[:, :], f4[:], i4[:, :], i4[:], i4[:, :], i4[:, :], f4[:, :], i4[:, :]", wide=True)
 def rasterize_all(
     xy: Int32Array,
     key: Float32Array,
@@ -73,7 +73,7 @@ def rasterize_all(
         rasterize(xy, key, triangles, order, rows, chunks, top, bottom, depth, ids)
 
 
-@lean_device
+@device()
 def rasterize(
     xy: Int32Array,
     key: Float32Array,

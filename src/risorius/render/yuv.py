@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..core.arrays import ByteArray
-from ..core.kernels.jit import i4, lean_device, lean_kernel
+from ..machine.jit import device, i4, kernel
 
 _BITS = 15
 # ITU-R BT.709-6, sections 3.2 and 4: shares of red and blue in the brightness; the ranges of the numbers.
@@ -36,14 +36,14 @@ def planes(rgb: ByteArray, out: ByteArray) -> None:
 
 
 # Arrays of few dimensions: only so does the compiler turn these loops into vector code.
-@lean_kernel
+@kernel("u1[:], u1[:]")
 def _brightness(rgb: ByteArray, out: ByteArray) -> None:
     """Write the brightness (n,) of pixels (3 n,)."""
     for i in range(len(out)):
         out[i] = _weighed(i4(rgb[3 * i]), i4(rgb[3 * i + 1]), i4(rgb[3 * i + 2]), _Y, _LOWEST, _BITS)
 
 
-@lean_kernel
+@kernel("u1[:, :], u1[:, :], u1[:, :]")
 def _colour(rgb: ByteArray, blue: ByteArray, red: ByteArray) -> None:
     """Write the colours (h, w) of pixels (2 h, 6 w)."""
     for y in range(blue.shape[0]):
@@ -53,14 +53,14 @@ def _colour(rgb: ByteArray, blue: ByteArray, red: ByteArray) -> None:
             red[y, x] = _weighed(r, g, b, _CR, _GREY, _BITS + 2)
 
 
-@lean_device
+@device()
 def _four(rgb: ByteArray, y: int, column: int) -> int:
     """Return the sum of a channel over four pixels, the first of which stands in row 2 y."""
     upper = i4(rgb[2 * y, column]) + i4(rgb[2 * y, column + 3])
     return i4(upper + i4(rgb[2 * y + 1, column]) + i4(rgb[2 * y + 1, column + 3]))
 
 
-@lean_device
+@device()
 def _weighed(r: int, g: int, b: int, weights: tuple[int, int, int], base: int, bits: int) -> int:
     """Return the weighted sum of three channels, rounded, plus `base`."""
     total = i4(r * i4(weights[0])) + i4(g * i4(weights[1])) + i4(b * i4(weights[2]))

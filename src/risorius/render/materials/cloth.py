@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 
 from ...core.arrays import Float32Array
-from ...core.kernels.jit import f4, fast_device, fast_inlined, index
-from ...core.kernels.vec import Vec, along, at, dot, mix, saturate, scale, smooth, times, unit, weigh
 from ...looks.attributes import CURVATURE, EXTRA, OCCLUSION, SKIN
 from ...looks.garment import COLLAR
+from ...machine.jit import device, f4, index
+from ...machine.vec import Vec, along, at, dot, mix, saturate, scale, smooth, times, unit, weigh
 from ..grain import grain
 from ..inputs import Batch, LinearTriangles, PosedMesh, SceneLight, Screen, Tables
 from .exposure import expose
@@ -27,7 +27,7 @@ THREAD = f4(0.09)
 UP = (f4(0), f4(1), f4(0))
 
 
-@fast_device
+@device("fast")
 def shade_cloth(
     n: int, batch: Batch, mesh: PosedMesh, screen: Screen, light: SceneLight, tables: Tables
 ) -> None:
@@ -43,7 +43,7 @@ def shade_cloth(
             put(batch.colour, k, mix(at(batch.colour, k), woven, share) if share < f4(1) else woven)
 
 
-@fast_device
+@device("fast")
 def light_cloth(
     n: int, batch: Batch, mesh: PosedMesh, screen: Screen, light: SceneLight, tables: Tables
 ) -> None:
@@ -55,7 +55,7 @@ def light_cloth(
             put(mesh.cloth_light, batch.column[k], woven)
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def covers(mesh: PosedMesh, corners: Corners) -> bool:
     """Return whether a triangle lies under plain cloth, away from the collar."""
     a, b, c = corners
@@ -63,7 +63,7 @@ def covers(mesh: PosedMesh, corners: Corners) -> bool:
     return bool(depth > COLLAR + SEAM)
 
 
-@fast_device
+@device("fast")
 def light_cloth_vertices(
     n: int,
     batch: Batch,
@@ -85,7 +85,7 @@ def light_cloth_vertices(
         linear.pores[v, 1] = linear.pores[v, 2] = linear.pores[v, 3] = f4(0)
 
 
-@fast_device
+@device("fast")
 def collar_shade(depth: float) -> float:
     """Return how much of its light plain cloth reflects at a place `depth` mm within the neckline."""
     seam = depth - COLLAR
@@ -93,7 +93,7 @@ def collar_shade(depth: float) -> float:
     return worn * (f4(1) - f4(0.35) * math.exp(-seam * seam * f4(0.6)))
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _cloth(
     mesh: PosedMesh,
     screen: Screen,
@@ -114,7 +114,7 @@ def _cloth(
     return _lit(mesh, light, corners, weights, albedo, normal, view, shadow, free)
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _lit(
     mesh: PosedMesh,
     light: SceneLight,
@@ -138,20 +138,20 @@ def _lit(
     return along(total, ambient_light(light.ambient, normal, free), sheen(dot(normal, view)))
 
 
-@fast_device
+@device("fast")
 def cloth_share(facing: float) -> float:
     """Return the share of a lamp's light that rough cloth scatters; `facing` is the cosine to the lamp."""
     return saturate((facing + f4(0.15)) * f4(1 / 1.15))
 
 
-@fast_device
+@device("fast")
 def sheen(facing: float) -> float:
     """Return the share of the ambient light that fuzz scatters along an outline."""
     fuzz = f4(1) - saturate(facing)
     return f4(0.06) * fuzz * fuzz * fuzz
 
 
-@fast_device
+@device("fast")
 def _knit(tile: Float32Array, rest: Vec, albedo: Vec, normal: Vec, depth: float) -> tuple[Vec, Vec]:
     """Return albedo and normal with stitches, and over the collar's width with ribs and a rolled edge."""
     thread = grain(tile, (rest[0], rest[1] * _LOW, rest[2]), _CELLS)[0]
@@ -160,7 +160,7 @@ def _knit(tile: Float32Array, rest: Vec, albedo: Vec, normal: Vec, depth: float)
     return scale(albedo, knitted(thread, rest, depth)), normal
 
 
-@fast_device
+@device("fast")
 def knitted(thread: float, rest: Vec, depth: float) -> float:
     """Return the share of its albedo that cloth has `depth` mm within the neckline at a height of thread."""
     light = f4(1) + THREAD * thread
@@ -173,7 +173,7 @@ def knitted(thread: float, rest: Vec, depth: float) -> float:
     return light
 
 
-@fast_device
+@device("fast")
 def rolled(normal: Vec, depth: float) -> Vec:
     """Return the normal of the collar, whose edge is rolled."""
     edge = f4(1) - saturate(depth * f4(1 / 4.0))

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ...core.arrays import Float32Array
-from ...core.kernels.jit import f4, fast_device
-from ...core.kernels.vec import Vec
+from ...machine.jit import device, f4
+from ...machine.vec import Vec
 from ..inputs import LinearTriangles
 from ..tone import exposed
 from .patch import put
@@ -12,7 +12,7 @@ from .patch import put
 _STEP = f4(1.1)  # by which light is multiplied to see how the film answers
 
 
-@fast_device
+@device("fast")
 def expose(v: int, light: Vec, film: Float32Array, linear: LinearTriangles) -> float:
     """Write the display light of scene light at vertex v.
 

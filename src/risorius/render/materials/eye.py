@@ -5,8 +5,10 @@ from __future__ import annotations
 import math
 
 from ...core.arrays import Float32Array
-from ...core.kernels.jit import f4, fast_device, fast_inlined
-from ...core.kernels.vec import (
+from ...looks.attributes import EYE_LEFT
+from ...looks.eyeball import IRIS
+from ...machine.jit import device, f4
+from ...machine.vec import (
     Vec,
     add,
     along,
@@ -23,8 +25,6 @@ from ...core.kernels.vec import (
     unrotate,
     weigh,
 )
-from ...looks.attributes import EYE_LEFT
-from ...looks.eyeball import IRIS
 from ..brdf import gloss, schlick
 from ..grain import grain
 from ..inputs import Batch, Pose, PosedMesh, SceneLight, Screen, Tables
@@ -53,7 +53,7 @@ KEY_BRIGHT, FILL_BRIGHT = f4(1.9), f4(0.25)
 """Their brightness, as a share of the lamps' light."""
 
 
-@fast_device
+@device("fast")
 def shade_eyes(
     n: int, batch: Batch, mesh: PosedMesh, screen: Screen, light: SceneLight, pose: Pose, tables: Tables
 ) -> None:
@@ -67,7 +67,7 @@ def shade_eyes(
             put(batch.colour, k, _eye(light, pose, tables, side, p, towards(screen.eye, p)))
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _eye(light: SceneLight, pose: Pose, tables: Tables, side: int, p: Vec, view: Vec) -> Vec:
     """Return the light from the eye `side` (0 left, 1 right) at p."""
     centre = (pose.eyes[side, 0], pose.eyes[side, 1], pose.eyes[side, 2])
@@ -94,7 +94,7 @@ def _eye(light: SceneLight, pose: Pose, tables: Tables, side: int, p: Vec, view:
     )
 
 
-@fast_device
+@device("fast")
 def iris_share(local: Vec) -> float:
     """Return the share 0..1 of iris at a place of the eye's unit sphere in the eye's frame."""
     if local[2] <= f4(0):
@@ -103,7 +103,7 @@ def iris_share(local: Vec) -> float:
     return f4(1) - smooth(IRIS - _LIMBUS, IRIS + _LIMBUS, ring)
 
 
-@fast_device
+@device("fast")
 def lid_distances(
     lids: Float32Array, span: Float32Array, side: int, in_head: Vec, radius: float
 ) -> tuple[float, float]:
@@ -118,7 +118,7 @@ def lid_distances(
     return max(upper - y, f4(0)), max(y - lower, f4(0))
 
 
-@fast_device
+@device("fast")
 def _corner_distances(span: Float32Array, side: int, in_head: Vec, radius: float) -> tuple[float, float]:
     """Return mm across from the inner and from the outer corner of the lids."""
     x = in_head[0] * radius
@@ -126,7 +126,7 @@ def _corner_distances(span: Float32Array, side: int, in_head: Vec, radius: float
     return (first, second) if side == 0 else (second, first)
 
 
-@fast_device
+@device("fast")
 def lid_shade(below: float, above: float, inner: float, outer: float) -> float:
     """Return the share of light, 0..1, that lids, lashes and corners of the eye let through."""
     upper = f4(1) - f4(0.52) * math.exp(-below * f4(0.75)) - f4(0.30) * math.exp(-below * f4(0.22))
@@ -137,7 +137,7 @@ def lid_shade(below: float, above: float, inner: float, outer: float) -> float:
     return upper * lower * corners
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _sclera(
     light: SceneLight,
     tables: Tables,
@@ -162,7 +162,7 @@ def _sclera(
     return total
 
 
-@fast_device
+@device("fast")
 def white_of_eye(height: float, above: float, inner: float, outer: float) -> Vec:
     """Return the albedo of the white where the grain has this `height`; distances in mm as above."""
     near = math.exp(-inner * f4(0.14)) + f4(0.8) * math.exp(-outer * f4(0.16))
@@ -173,13 +173,13 @@ def white_of_eye(height: float, above: float, inner: float, outer: float) -> Vec
     return mix(albedo, _FLESH, f4(1) - smooth(f4(0.7), f4(2.5), inner))
 
 
-@fast_device
+@device("fast")
 def white_share(facing: float) -> float:
     """Return the share of a lamp's light that the white scatters; `facing` is the cosine to the lamp."""
     return saturate((facing + f4(0.4)) * f4(1 / 1.4))
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _iris(
     light: SceneLight,
     pose: Pose,
@@ -203,7 +203,7 @@ def _iris(
     return total
 
 
-@fast_device
+@device("fast")
 def refracted(facing: Vec, view: Vec) -> Vec:
     """Return the way of sight within the eye; `facing` is the cornea's normal, `view` leads to the viewer."""
     cosine = dot(facing, view)
@@ -211,7 +211,7 @@ def refracted(facing: Vec, view: Vec) -> Vec:
     return along(scale(view, -_REFRACTION), facing, _REFRACTION * cosine - bent)
 
 
-@fast_device
+@device("fast")
 def on_iris(local: Vec, ray: Vec) -> tuple[float, float]:
     """Return where a ray from the eye's unit sphere meets the iris' plane, in radii of the iris."""
     plane = math.sqrt(f4(1) - IRIS * IRIS) - _DEPTH
@@ -219,7 +219,7 @@ def on_iris(local: Vec, ray: Vec) -> tuple[float, float]:
     return (local[0] + ray[0] * way) / IRIS, (local[1] + ray[1] * way) / IRIS
 
 
-@fast_device
+@device("fast")
 def gathered(x: float, y: float, lamp: Vec) -> float:
     """Return the share of a lamp's light at a place of the iris; `lamp` leads to it in the eye's frame."""
     distance = math.sqrt(x * x + y * y)
@@ -227,7 +227,7 @@ def gathered(x: float, y: float, lamp: Vec) -> float:
     return share * saturate(lamp[2] + f4(0.2)) * f4(1.35)
 
 
-@fast_device
+@device("fast")
 def _iris_colour(image: Float32Array, pupil: float, x: float, y: float, distance: float) -> Vec:
     """Return the albedo at a place in the iris' plane (radius 1): pupil, fibres, dark limbus."""
     rings, angles = image.shape[0], image.shape[1]
@@ -241,18 +241,18 @@ def _iris_colour(image: Float32Array, pupil: float, x: float, y: float, distance
     return scale(mix(low, high, s), pupil_edge(pupil, distance))
 
 
-@fast_device
+@device("fast")
 def pupil_edge(pupil: float, distance: float) -> float:
     """Return 0 within the pupil, 1 on the iris; both numbers are in radii of the iris."""
     return smooth(pupil - f4(0.03), pupil + f4(0.045), distance)
 
 
-@fast_device
+@device("fast")
 def _texel(image: Float32Array, i: int, j: int) -> Vec:
     return image[i, j, 0], image[i, j, 1], image[i, j, 2]
 
 
-@fast_device
+@device("fast")
 def _wet(
     lamps: Float32Array,
     ambient: Float32Array,
@@ -279,13 +279,13 @@ def _wet(
     return along(total, lamp_colour(lamps, 0), rim * shadow + moist * shade)
 
 
-@fast_device
+@device("fast")
 def mirror_share(below: float, shade: float) -> float:
     """Return the share that is mirrored: a mirror shows the lid above it rather than its shadow."""
     return smooth(f4(0.3), f4(1.6), below) * (f4(0.5) + f4(0.5) * shade)
 
 
-@fast_device
+@device("fast")
 def tear_glint(outward: Vec, view: Vec, key: Vec, above: float) -> float:
     """Return the share of the key lamp that the tears on the lower lid's rim mirror."""
     line = unit(add(outward, (f4(0), f4(0.8), f4(0))))
@@ -293,14 +293,14 @@ def tear_glint(outward: Vec, view: Vec, key: Vec, above: float) -> float:
     return tears * (f4(0.045) + gloss(line, view, key, f4(0.16), f4(0.05))) * f4(1.3)
 
 
-@fast_device
+@device("fast")
 def caruncle_glint(outward: Vec, view: Vec, key: Vec, inner: float) -> float:
     """Return the share of the key lamp that the moist flesh in the inner corner mirrors."""
     flesh = f4(1) - smooth(f4(1.2), f4(3.2), inner)
     return flesh * gloss(unit(add(outward, (f4(0), f4(0.2), f4(0)))), view, key, f4(0.10), f4(0.05))
 
 
-@fast_device
+@device("fast")
 def window(back: Vec, direction: Vec, size: float) -> float:
     """Return 1 where the mirrored ray meets a softbox of half-width `size` (tangent), with round corners."""
     ahead = dot(back, direction)

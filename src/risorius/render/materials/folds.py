@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from ...core.kernels.jit import f4, fast_device, i8
-from ...core.kernels.vec import Vec, along, dot, rotate, saturate, unit
+from ...machine.jit import device, f4, i8
+from ...machine.vec import Vec, along, dot, rotate, saturate, unit
 from ..creases import DIMPLES, FAINT, FOLD, FURROW, KIND, SHADOW, SHARE
 from ..grain import grain
 from ..inputs import Pose, PosedMesh, Tables
@@ -17,7 +17,7 @@ _STEEPEST = f4(1.1)
 _ROUND = f4(0.32)  # of the furrow's width: half of its round bottom
 
 
-@fast_device
+@device("fast")
 def creased(
     tables: Tables,
     mesh: PosedMesh,
@@ -47,33 +47,33 @@ def creased(
     return along(total, normal, -dot(total, normal)), saturate(dark)
 
 
-@fast_device
+@device("fast")
 def covered_skin(pixel: float, facing: float) -> float:
     """Return the mm of skin that a pixel covers: more where the skin turns away from the camera."""
     return pixel / max(facing, f4(0.25))
 
 
-@fast_device
+@device("fast")
 def darkened(shadow: float, height: float) -> float:
     """Return how much of a crease's `shadow` one of this height has."""
     return shadow * saturate(height * f4(1.6))
 
 
-@fast_device
+@device("fast")
 def bent(normal: Vec, slope: Vec, share: float) -> Vec:
     """Return a unit normal turned by a share of a slope; the slope is limited to those that light shows."""
     steep = math.sqrt(dot(slope, slope))
     return unit(along(normal, slope, -share / max(f4(1), steep / _STEEPEST)))
 
 
-@fast_device
+@device("fast")
 def _height(mesh: PosedMesh, corners: Corners, weights: Vec, r: int) -> float:
     h, (a, b, c) = mesh.crease_height, corners
     height = weights[0] * h[a, r] + weights[1] * h[b, r] + weights[2] * h[c, r]
     return f4(height * mesh.crease_style[r, SHARE])
 
 
-@fast_device
+@device("fast")
 def _place(mesh: PosedMesh, corners: Corners, weights: Vec, r: int) -> tuple[float, Vec]:
     """Return phase and its slope at a point of region r."""
     p, (a, b, c), (u, v, w) = mesh.crease_place, corners, weights
@@ -84,7 +84,7 @@ def _place(mesh: PosedMesh, corners: Corners, weights: Vec, r: int) -> tuple[flo
     return phase, (x, y, z)
 
 
-@fast_device
+@device("fast")
 def _fold(
     tables: Tables,
     mesh: PosedMesh,
@@ -111,7 +111,7 @@ def _fold(
     return (way[0] * scale, way[1] * scale, way[2] * scale), deep * darkened(shadow, height)
 
 
-@fast_device
+@device("fast")
 def ridge(d: float, spacing: float, furrow: float, blur: float) -> tuple[float, float]:
     """Return the slope (1/mm) `d` mm from a crease of unit height with round shoulders, and its darkness.
 
@@ -132,7 +132,7 @@ def ridge(d: float, spacing: float, furrow: float, blur: float) -> tuple[float, 
     return rise * seen, deep * seen
 
 
-@fast_device
+@device("fast")
 def overhang(d: float, furrow: float, blur: float) -> tuple[float, float]:
     """Return the slope (1/mm) of a fold of unit height whose cheek rises from d = 0 on, and its darkness."""
     soft = f4(0.5) * blur + f4(0.25) * furrow
@@ -147,7 +147,7 @@ def overhang(d: float, furrow: float, blur: float) -> tuple[float, float]:
     return rise, deep
 
 
-@fast_device
+@device("fast")
 def _dimple(
     tables: Tables, rest: Vec, height: float, spacing: float, shadow: float, blur: float
 ) -> tuple[Vec, float]:
@@ -158,7 +158,7 @@ def _dimple(
     return (gx * scale, gy * scale, gz * scale), deep * darkened(shadow, height)
 
 
-@fast_device
+@device("fast")
 def pit(h: float, spacing: float, blur: float) -> tuple[float, float]:
     """Return the share of the grain's slope that pits have where its height is h, and their darkness."""
     seen = f4(1) - saturate((blur / spacing - f4(0.25)) * f4(3))

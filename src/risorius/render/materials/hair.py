@@ -8,15 +8,15 @@ from __future__ import annotations
 import math
 
 from ...core.arrays import Float32Array, Int32Array
-from ...core.kernels.jit import f4, fast_device, fast_inlined, fast_kernel
-from ...core.kernels.vec import Vec, add, along, at, dot, saturate, scale, sub, times, unit, weigh
 from ...looks.attributes import HAIR, OCCLUSION, SPECULAR
+from ...machine.jit import device, f4, kernel
+from ...machine.vec import Vec, add, along, at, dot, saturate, scale, sub, times, unit, weigh
 from ..inputs import Batch, PosedMesh, SceneLight
 from .lit import ambient_light, key_share, lamp_colour, lamp_direction
 from .patch import corners_of, put, weights_of
 
 
-@fast_kernel
+@kernel("PosedMesh, SceneLight, f4[:], i4[:]", arithmetic="fast")
 def light_hairs(mesh: PosedMesh, light: SceneLight, eye: Float32Array, pairs: Int32Array) -> None:
     """Write the light of hairs' vertices, `pairs` (k,) and the next of each, into `mesh.vertex_light`."""
     camera = (eye[0], eye[1], eye[2])
@@ -30,7 +30,7 @@ def light_hairs(mesh: PosedMesh, light: SceneLight, eye: Float32Array, pairs: In
             mesh.vertex_light[row, 0], mesh.vertex_light[row, 1], mesh.vertex_light[row, 2] = colour
 
 
-@fast_device
+@device("fast")
 def shade_hairs(n: int, batch: Batch, mesh: PosedMesh) -> None:
     """Colour the patches of hair among the first n of a row."""
     for k in range(n):
@@ -43,7 +43,7 @@ def shade_hairs(n: int, batch: Batch, mesh: PosedMesh) -> None:
             )
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _fibre(mesh: PosedMesh, light: SceneLight, i: int, p: Vec, direction: Vec, view: Vec) -> Vec:
     """Return the light from a hair at p, vertex i, that runs along `direction`."""
     albedo = at(mesh.attributes, i)
@@ -58,19 +58,19 @@ def _fibre(mesh: PosedMesh, light: SceneLight, i: int, p: Vec, direction: Vec, v
     return total
 
 
-@fast_device
+@device("fast")
 def facing_fibre(direction: Vec, view: Vec) -> Vec:
     """Return the normal of a fibre's side that is seen."""
     return unit(along(view, direction, -dot(view, direction)))
 
 
-@fast_device
+@device("fast")
 def between_fibres(free: float) -> float:
     """Return the share of a lamp that comes between other hairs to one that sees the share `free`."""
     return f4(0.4) + f4(0.6) * free
 
 
-@fast_device
+@device("fast")
 def lamp_on_fibre(
     albedo: Vec, colour: Vec, lamp: Vec, direction: Vec, across: Vec, view: Vec, share: float, strength: float
 ) -> Vec:
@@ -82,7 +82,7 @@ def lamp_on_fibre(
     return along(shine, times(albedo, colour), f4(0.7) * sine * facing * share)
 
 
-@fast_device
+@device("fast")
 def fibre_shine(albedo: Vec, colour: Vec, direction: Vec, view: Vec, lamp: Vec) -> Vec:
     """Return the white highlight, and the coloured one that has passed through the fibre, towards the tip."""
     half = unit(add(view, lamp))

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 
 from ...core.arrays import Float32Array
-from ...core.kernels.jit import f4, fast_device, fast_inlined, fast_kernel
-from ...core.kernels.vec import (
+from ...looks.attributes import ALBEDO, OCCLUSION, TEETH, TONGUE
+from ...machine.jit import device, f4, kernel
+from ...machine.vec import (
     Vec,
     along,
     dot,
@@ -20,7 +21,6 @@ from ...core.kernels.vec import (
     unrotate,
     weigh,
 )
-from ...looks.attributes import ALBEDO, OCCLUSION, TEETH, TONGUE
 from ..brdf import gloss
 from ..inputs import Batch, Pose, PosedMesh, SceneLight, Screen
 from .lit import ambient_light, key_share, lamp_colour, lamp_direction
@@ -38,7 +38,7 @@ _NEAR, _FAR = f4(6), f4(42)  # mm behind the lips; the lamps' light lessens betw
 FAUCES = f4(35)  # mm behind the lips; the lining is drawn further back, but a mouth is not deeper
 
 
-@fast_device
+@device("fast")
 def past_lips(
     rotation: Float32Array, pivot: Float32Array, lips: Float32Array, span: Float32Array, p: Vec
 ) -> float:
@@ -54,7 +54,7 @@ def past_lips(
     return past_strips(_strip(lips, span, x, y, z), _strip(lips, span, x * f4(0.5), y, z), front - z)
 
 
-@fast_device
+@device("fast")
 def past_strips(own: float, halfway: float, behind: float) -> float:
     """Return the share of light that enters through the slit's two strips and leaves, `behind` mm in."""
     seen = max(own, f4(0.75) * halfway)
@@ -64,20 +64,20 @@ def past_strips(own: float, halfway: float, behind: float) -> float:
     return share
 
 
-@fast_device
+@device("fast")
 def lamps_past_lips(rotation: Float32Array, pivot: Float32Array, lips: Float32Array, p: Vec) -> float:
     """Return the share 0..1 of the lamps' light in the mouth that goes as deep as a point."""
     behind: float = lips[LIP_STEPS // 2, 1] - unrotate(rotation, sub(p, (pivot[0], pivot[1], pivot[2])))[2]
     return lamps_behind(behind - pivot[2])
 
 
-@fast_device
+@device("fast")
 def lamps_behind(behind: float) -> float:
     """Return the share 0..1 of the lamps' light in the mouth that goes `behind` mm deep."""
     return f4(1) - f4(0.8) * smooth(_NEAR, _FAR, behind)
 
 
-@fast_device
+@device("fast")
 def spread_in_flesh(deep: float) -> float:
     """Return the share of light from flesh where the share `deep` arrives: some comes through it."""
     root = math.sqrt(deep)
@@ -85,7 +85,7 @@ def spread_in_flesh(deep: float) -> float:
     return spread
 
 
-@fast_device
+@device("fast")
 def entering_light(light: SceneLight, rotation: Float32Array) -> Vec:
     """Return the lamps' light on an open mouth, warm with the colour of the flesh that spreads it within."""
     total: Vec = (f4(0), f4(0), f4(0))
@@ -97,12 +97,12 @@ def entering_light(light: SceneLight, rotation: Float32Array) -> Vec:
     return times(total, WARM)
 
 
-@fast_device
+@device("fast")
 def _ahead(rotation: Float32Array) -> Vec:
     return rotation[0, 2], rotation[1, 2], rotation[2, 2]
 
 
-@fast_device
+@device("fast")
 def _strip(lips: Float32Array, span: Float32Array, x: float, y: float, z: float) -> float:
     """Return the form factor of the slit over x: half the difference of the sines towards its two edges."""
     left: float = span[0]
@@ -115,7 +115,7 @@ def _strip(lips: Float32Array, span: Float32Array, x: float, y: float, z: float)
     return strip_share(x, y, z, left, right, top, top_z, low, low_z)
 
 
-@fast_device
+@device("fast")
 def strip_share(
     x: float,
     y: float,
@@ -136,13 +136,13 @@ def strip_share(
     return saturate(f4(0.5) * (up_sine - down_sine)) * ahead / (ahead + f4(2) * beside)
 
 
-@fast_device
+@device("fast")
 def _edge(lips: Float32Array, i: int, s: float, column: int) -> tuple[float, float]:
     y, z = lips[i, column], lips[i, column + 1]
     return y + (lips[i + 1, column] - y) * s, z + (lips[i + 1, column + 1] - z) * s
 
 
-@fast_kernel
+@kernel("f4[:, :], f4, f4, f4, b1, f4[:]", arithmetic="fast")
 def past_open_lips(
     points: Float32Array, front: float, top: float, low: float, teeth: bool, share: Float32Array
 ) -> None:
@@ -158,7 +158,7 @@ def past_open_lips(
         share[k] = min(spread_in_teeth(deep), f4(1)) if teeth else deep
 
 
-@fast_device
+@device("fast")
 def shade_mouth(n: int, batch: Batch, mesh: PosedMesh, screen: Screen, light: SceneLight, pose: Pose) -> None:
     """Colour the patches of teeth, gums and tongue among the first n of a row."""
     for k in range(n):
@@ -174,7 +174,7 @@ def shade_mouth(n: int, batch: Batch, mesh: PosedMesh, screen: Screen, light: Sc
             )
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _wet(
     mesh: PosedMesh,
     light: SceneLight,
@@ -211,7 +211,7 @@ def _wet(
     return total
 
 
-@fast_device
+@device("fast")
 def spread_in_teeth(deep: float) -> float:
     """Return the share of light from a tooth where the share `deep` arrives.
 
@@ -223,7 +223,7 @@ def spread_in_teeth(deep: float) -> float:
     return _GLOW + (spread - _GLOW) * smooth(f4(0), f4(0.12), deep)
 
 
-@fast_device
+@device("fast")
 def reddened(deep: float) -> Vec:
     """Return a tooth's effective albedo: the redder, the more of the light has met flesh before.
 
@@ -234,13 +234,13 @@ def reddened(deep: float) -> Vec:
     return times(red, mix(IN_FLESH, (f4(1), f4(1), f4(1)), smooth(_GLOW, f4(2.5) * _GLOW, deep)))
 
 
-@fast_device
+@device("fast")
 def tooth_share(cosine: float) -> float:
     """Return the share of a lamp's light on a tooth: it goes round its edges."""
     return saturate((cosine + f4(0.4)) * f4(1 / 1.4))
 
 
-@fast_device
+@device("fast")
 def towards_lips(cosine: float) -> float:
     """Return the light past the lips that reaches flesh: directly, and again from the flesh around it."""
     return cosine * f4(0.7) + f4(0.7)

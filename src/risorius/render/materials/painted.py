@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from ...core.kernels.jit import f4, fast_device, index
-from ...core.kernels.vec import Vec, along, mix, saturate, scale, smooth
 from ...looks.muscle_paint import SOFT
+from ...machine.jit import device, f4, index
+from ...machine.vec import Vec, along, mix, saturate, scale, smooth
 from ..inputs import Paint, PosedMesh
 from .patch import Corners
 
@@ -15,7 +15,7 @@ _TURN = f4(2 * math.pi)
 _LINE = f4(0.55)  # half a line's width in pixels
 
 
-@fast_device
+@device("fast")
 def painted(
     paint: Paint, t: int, corners: Corners, weights: Vec, albedo: Vec, pixel: float
 ) -> tuple[Vec, Vec]:
@@ -39,7 +39,7 @@ def painted(
     return albedo, glow
 
 
-@fast_device
+@device("fast")
 def line_share(mesh: PosedMesh, paint: Paint, t: int, corners: Corners, weights: Vec, samples: int) -> float:
     """Return the share of the pixel that the lines along the edges of triangle t cover."""
     share = f4(0)
@@ -54,7 +54,7 @@ def line_share(mesh: PosedMesh, paint: Paint, t: int, corners: Corners, weights:
     return share * opacity
 
 
-@fast_device
+@device("fast")
 def _near(mesh: PosedMesh, a: int, b: int, c: int, weight: float, samples: int) -> float:
     """Return the share of a pixel that line b–c covers, at `weight` of the height of corner a over it."""
     bx, by = f4(mesh.xy[b, 0]), f4(mesh.xy[b, 1])

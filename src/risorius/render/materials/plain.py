@@ -6,10 +6,10 @@ Skin is shaded in blocks (`lanes`), each step for all patches of a block; `plain
 from __future__ import annotations
 
 from ...core.arrays import Float32Array
-from ...core.kernels.jit import f4, fast_device, fast_inlined, i8
-from ...core.kernels.vec import Vec, add, along, dot, mix, scale, times, weigh
 from ...looks import attributes
 from ...looks.attributes import SKIN, TONGUE
+from ...machine.jit import device, f4, i8
+from ...machine.vec import Vec, add, along, dot, mix, scale, times, weigh
 from ..brdf import gloss
 from ..inputs import Batch, Paint, Pose, PosedMesh, SceneLight, Screen, Tables
 from ..lanes import (
@@ -42,7 +42,7 @@ from .shadows import shadow_at
 _FLESH = f4(1.0)
 
 
-@fast_device
+@device("fast")
 def shade_plain(
     n: int,
     batch: Batch,
@@ -69,7 +69,7 @@ def shade_plain(
         _shade_block(count, batch, mesh, screen, light, pose, tables, paint)
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _read(k: int, lane: int, batch: Batch, mesh: PosedMesh, light: SceneLight) -> None:
     """Read patch k of the mesh into a lane."""
     corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
@@ -85,7 +85,7 @@ def _read(k: int, lane: int, batch: Batch, mesh: PosedMesh, light: SceneLight) -
     read_reach(block, lane, mesh.reach, corners, weights)
 
 
-@fast_device
+@device("fast")
 def _shade_block(
     count: int,
     batch: Batch,
@@ -116,7 +116,7 @@ def _shade_block(
         put_colour(batch.colour, k, colour)
 
 
-@fast_device
+@device("fast")
 def _fold(count: int, batch: Batch, mesh: PosedMesh, pose: Pose, tables: Tables, pixel: float) -> None:
     """Let wrinkles turn the normal and take the ambient light away."""
     block = batch.block
@@ -132,7 +132,7 @@ def _fold(count: int, batch: Batch, mesh: PosedMesh, pose: Pose, tables: Tables,
             block[FREE + lane] *= f4(1) - f4(0.7) * deep
 
 
-@fast_device
+@device("fast")
 def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
     """Compute how much of the lamps and of the ambient light arrives."""
     for lane in range(count):
@@ -146,7 +146,7 @@ def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
         block[OPENED + lane] = free
 
 
-@fast_device
+@device("fast")
 def _paint(count: int, batch: Batch, mesh: PosedMesh, paint: Paint, pixel: float) -> None:
     """Colour the clay with muscles; those that rivals suppress glow."""
     block = batch.block
@@ -162,7 +162,7 @@ def _paint(count: int, batch: Batch, mesh: PosedMesh, paint: Paint, pixel: float
             put(block, SHINE, lane, scale(light, block[OPENED + lane]))
 
 
-@fast_device
+@device("fast")
 def _fill(block: Float32Array, light: SceneLight) -> None:
     """Start with the ambient light and the glow."""
     ambient = ambient_of(light.ambient)
@@ -171,7 +171,7 @@ def _fill(block: Float32Array, light: SceneLight) -> None:
         put(block, TOTAL, k, add(get(block, SHINE, k), times(get(block, ALBEDO, k), arriving)))
 
 
-@fast_device
+@device("fast")
 def _add_lamp(block: Float32Array, lamp: int, direction: Vec, colour: Vec) -> None:
     """Add the matt light of one lamp."""
     for k in range(LANES):
@@ -180,7 +180,7 @@ def _add_lamp(block: Float32Array, lamp: int, direction: Vec, colour: Vec) -> No
         put(block, TOTAL, k, along(get(block, TOTAL, k), times(get(block, ALBEDO, k), colour), share))
 
 
-@fast_device
+@device("fast")
 def _add_gloss(block: Float32Array, direction: Vec, colour: Vec) -> None:
     """Add a broad, faint gloss of the key lamp."""
     for k in range(LANES):

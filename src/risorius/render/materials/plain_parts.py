@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import math
 
-from ...core.kernels.jit import f4, fast_device, fast_inlined
-from ...core.kernels.vec import (
+from ...looks import attributes
+from ...looks.attributes import EYE_LEFT, TEETH
+from ...looks.eyeball import IRIS
+from ...machine.jit import device, f4
+from ...machine.vec import (
     Vec,
     along,
     dot,
@@ -19,9 +22,6 @@ from ...core.kernels.vec import (
     unrotate,
     weigh,
 )
-from ...looks import attributes
-from ...looks.attributes import EYE_LEFT, TEETH
-from ...looks.eyeball import IRIS
 from ..brdf import gloss
 from ..inputs import Batch, Pose, PosedMesh, SceneLight, Screen
 from .eye import lid_distances, lid_shade
@@ -37,13 +37,13 @@ _PUPIL = f4(0.42)  # radii of the iris
 _FAR = f4(20)  # mm: plain eyes have no corners
 
 
-@fast_device
+@device("fast")
 def facing(normal: Vec, direction: Vec) -> float:
     """Return the cosine of matt light, wrapped a little around the edge."""
     return saturate((dot(normal, direction) + f4(0.12)) * f4(1 / 1.12))
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def shade_part(
     k: int, surface: int, batch: Batch, mesh: PosedMesh, screen: Screen, light: SceneLight, pose: Pose
 ) -> Vec:
@@ -59,7 +59,7 @@ def shade_part(
     return _matt(mesh, light, corners, weights, normal, view, albedo, deep, key)
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _matt(
     mesh: PosedMesh,
     light: SceneLight,
@@ -81,7 +81,7 @@ def _matt(
     return along(total, lamp_colour(light.lamps, 0), shine)
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _ball(
     mesh: PosedMesh,
     light: SceneLight,

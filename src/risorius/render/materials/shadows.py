@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ...core.arrays import Float32Array
-from ...core.kernels.jit import f4, fast_inlined, fast_kernel
-from ...core.kernels.vec import Vec, at
+from ...machine.jit import device, f4, kernel
+from ...machine.vec import Vec, at
 from ..inputs import PosedMesh, SceneLight
 from .lit import key_share
 from .patch import Corners
@@ -13,14 +13,14 @@ EVEN = f4(0.1)
 """Vertices whose shares differ by less need no shadow computed between them."""
 
 
-@fast_kernel
+@kernel("f4[:, :], SceneLight, f4[:]", arithmetic="fast", wide=True)
 def cast_shadows(positions: Float32Array, light: SceneLight, shadow: Float32Array) -> None:
     """Write the share of the key lamp that reaches each of the first vertices into `shadow` (n,)."""
     for i in range(len(shadow)):
         shadow[i] = key_share(light, at(positions, i))
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def shadow_at(mesh: PosedMesh, light: SceneLight, corners: Corners, weights: Vec, p: Vec) -> float:
     """Return the share of the key lamp that reaches p, a place in a triangle of skin."""
     a, b, c = mesh.shadow[corners[0]], mesh.shadow[corners[1]], mesh.shadow[corners[2]]

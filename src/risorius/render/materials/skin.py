@@ -6,10 +6,10 @@ Its patches are shaded in blocks (`lanes`), each step for all patches of a block
 from __future__ import annotations
 
 from ...core.arrays import Float32Array
-from ...core.kernels.jit import f4, fast_device, fast_inlined, i8
-from ...core.kernels.vec import Vec, add, along, dot, rows_of, scale, smooth, tilted, times, turned, weigh
 from ...looks import attributes
 from ...looks.attributes import SKIN
+from ...machine.jit import device, f4, i8
+from ...machine.vec import Vec, add, along, dot, rows_of, scale, smooth, tilted, times, turned, weigh
 from ..grain import between, cell_of, heights_about
 from ..inputs import Batch, Pose, PosedMesh, SceneLight, Screen, Tables
 from ..lanes import (
@@ -59,7 +59,7 @@ PORES_DARKEN, PORES_DULL = f4(0.025), f4(0.2)
 """The shares by which pores change the albedo and the strength of the gloss."""
 
 
-@fast_device
+@device("fast")
 def shade_skin(
     n: int, batch: Batch, mesh: PosedMesh, screen: Screen, light: SceneLight, pose: Pose, tables: Tables
 ) -> None:
@@ -75,7 +75,7 @@ def shade_skin(
         _shade_block(count, batch, mesh, screen, light, pose, tables)
 
 
-@fast_device
+@device("fast")
 def _shade_block(
     count: int, batch: Batch, mesh: PosedMesh, screen: Screen, light: SceneLight, pose: Pose, tables: Tables
 ) -> None:
@@ -94,7 +94,7 @@ def _shade_block(
         put_colour(batch.colour, batch.chosen[k], add(get(block, TOTAL, k), get(block, SHINE, k)))
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _read(k: int, lane: int, batch: Batch, mesh: PosedMesh, light: SceneLight, pixel: float) -> bool:
     """Read patch k of the mesh into a lane; return whether its skin is bare."""
     corners, weights = corners_of(mesh.triangles, batch.triangle[k]), weights_of(batch.weights, k)
@@ -116,7 +116,7 @@ def _read(k: int, lane: int, batch: Batch, mesh: PosedMesh, light: SceneLight, p
     return True
 
 
-@fast_device
+@device("fast")
 def _find_grain(count: int, block: Float32Array, tile: Float32Array) -> None:
     """Look up the pores."""
     for k in range(count):
@@ -127,7 +127,7 @@ def _find_grain(count: int, block: Float32Array, tile: Float32Array) -> None:
             block[GRAIN + corner * LANES + k] = heights[corner]
 
 
-@fast_device
+@device("fast")
 def _roughen(block: Float32Array, pose: Pose, pixel: float) -> None:
     """Let the pores turn the normal and vary colour and gloss."""
     rotation = rows_of(pose.rotation)
@@ -143,19 +143,19 @@ def _roughen(block: Float32Array, pose: Pose, pixel: float) -> None:
         block[FREE + k] *= collar_free(block[CLOTH + k])
 
 
-@fast_device
+@device("fast")
 def pore_depth(pixel: float) -> float:
     """Return the depth of pores in mm: those smaller than two pixels would flicker as the head moves."""
     return f4(0.0075) * (f4(1) - smooth(f4(0.22), f4(0.7), pixel))
 
 
-@fast_device
+@device("fast")
 def collar_free(cloth: float) -> float:
     """Return the share of light that the collar's edge leaves to the skin close above it."""
     return f4(1) - f4(0.5) * smooth(f4(-7), f4(0), cloth)
 
 
-@fast_device
+@device("fast")
 def _fold(count: int, batch: Batch, mesh: PosedMesh, pose: Pose, tables: Tables, pixel: float) -> None:
     """Let wrinkles turn the normal and darken the skin."""
     block = batch.block
@@ -176,13 +176,13 @@ def _fold(count: int, batch: Batch, mesh: PosedMesh, pose: Pose, tables: Tables,
             put(block, ALBEDO, k, times(get(block, ALBEDO, k), fold_colour(deep)))
 
 
-@fast_device
+@device("fast")
 def fold_colour(deep: float) -> Vec:
     """Return the factor of a fold on the albedo: darker and redder."""
     return f4(1) - f4(0.22) * deep, f4(1) - f4(0.36) * deep, f4(1) - f4(0.38) * deep
 
 
-@fast_device
+@device("fast")
 def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
     """Compute how much of the key lamp and of the ambient light arrives, and of the light in the mouth."""
     for k in range(count):
@@ -197,7 +197,7 @@ def _shadow(count: int, block: Float32Array, pose: Pose) -> None:
         block[OPENED + k] = free
 
 
-@fast_device
+@device("fast")
 def _light_lining(block: Float32Array, entering: Vec) -> None:
     """Add the lamps' light that comes past the lips, whose SHARE the mouth's lining spreads to all sides."""
     for k in range(LANES):
@@ -205,7 +205,7 @@ def _light_lining(block: Float32Array, entering: Vec) -> None:
         put(block, TOTAL, k, along(get(block, TOTAL, k), lit, block[SHARE + k]))
 
 
-@fast_device
+@device("fast")
 def fill(block: Float32Array, light: SceneLight) -> None:
     """Start with the ambient light."""
     ambient = ambient_of(light.ambient)

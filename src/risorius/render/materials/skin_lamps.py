@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ...core.arrays import Float32Array
-from ...core.kernels.jit import f4, fast_device
-from ...core.kernels.vec import Vec, add, along, dot, times
+from ...machine.jit import device, f4
+from ...machine.vec import Vec, add, along, dot, times
 from ..brdf import mirrored, mirrored_change, schlick
 from ..lanes import (
     ALBEDO,
@@ -43,7 +43,7 @@ FRONT, GRAZED = 2, f4(0.4)
 """The number of lamps in front; the share of the others, behind the head, that skin mirrors."""
 
 
-@fast_device
+@device("fast")
 def lamp_light(
     count: int, lamp: int, block: Float32Array, lamps: Float32Array, diffuse: Float32Array
 ) -> None:
@@ -61,7 +61,7 @@ def lamp_light(
         _add_gloss(block, direction, colour, softness, GRAZED if lamp >= FRONT else f4(1))
 
 
-@fast_device
+@device("fast")
 def _arrive(count: int, lamp: int, block: Float32Array) -> bool:
     """Compute how much of a lamp arrives at each patch; return whether any patch gets enough of it."""
     for k in range(LANES):
@@ -77,7 +77,7 @@ def _arrive(count: int, lamp: int, block: Float32Array) -> bool:
     return most > f4(0)
 
 
-@fast_device
+@device("fast")
 def _look_up(count: int, block: Float32Array, diffuse: Float32Array) -> None:
     """Compute the light of a lamp that the skin scatters."""
     for k in range(count):
@@ -86,7 +86,7 @@ def _look_up(count: int, block: Float32Array, diffuse: Float32Array) -> None:
             put(block, BELOW, k, scattered(diffuse, block[ANGLE + k], place))
 
 
-@fast_device
+@device("fast")
 def _add_scattered(block: Float32Array, colour: Vec) -> None:
     for k in range(LANES):
         below = times(get(block, BELOW, k), warm_edge(block[SHARE + k]))
@@ -94,7 +94,7 @@ def _add_scattered(block: Float32Array, colour: Vec) -> None:
         put(block, TOTAL, k, add(get(block, TOTAL, k), lit))
 
 
-@fast_device
+@device("fast")
 def _add_gloss(block: Float32Array, direction: Vec, colour: Vec, softness: float, part: float) -> None:
     for k in range(LANES):
         glint = _mirrored(block, k, direction, block[ROUGHNESS + k] + softness)
@@ -102,7 +102,7 @@ def _add_gloss(block: Float32Array, direction: Vec, colour: Vec, softness: float
         put(block, SHINE, k, along(get(block, SHINE, k), colour, amount))
 
 
-@fast_device
+@device("fast")
 def _add_key_gloss(block: Float32Array, direction: Vec, colour: Vec, softness: float) -> None:
     """Add the key lamp's gloss: a sharp one and, of the oil's uneven film, a broad one."""
     for k in range(LANES):
@@ -113,13 +113,13 @@ def _add_key_gloss(block: Float32Array, direction: Vec, colour: Vec, softness: f
         put(block, SHINE, k, along(get(block, SHINE, k), colour, amount))
 
 
-@fast_device
+@device("fast")
 def _mirrored(block: Float32Array, k: int, direction: Vec, wide: float) -> float:
     bumpy, half = get(block, BUMPY, k), add(get(block, VIEW, k), direction)
     return mirrored(dot(bumpy, direction), dot(bumpy, half), dot(half, half), wide, FACING)
 
 
-@fast_device
+@device("fast")
 def lamp_change(
     count: int, lamp: int, block: Float32Array, lamps: Float32Array, diffuse: Float32Array
 ) -> None:
@@ -148,7 +148,7 @@ def lamp_change(
         put(block, WAY, k, along(change, half, amount * sharp[1]))
 
 
-@fast_device
+@device("fast")
 def edge_light(block: Float32Array, ambient: Float32Array) -> None:
     """Add the ambient light that the skin reflects along its outline."""
     around = ambient_of(ambient)
@@ -158,7 +158,7 @@ def edge_light(block: Float32Array, ambient: Float32Array) -> None:
         put(block, SHINE, k, along(get(block, SHINE, k), ambient_on(around, soft, f4(1)), edge))
 
 
-@fast_device
+@device("fast")
 def edge_share(facing: float, up: float) -> float:
     """Return the share of the ambient light that skin reflects whose normal has these parts.
 

@@ -7,9 +7,9 @@ Between vertices the light and that change are interpolated, and only the pores 
 from __future__ import annotations
 
 from ...core.arrays import Float32Array
-from ...core.kernels.jit import f4, fast_device, fast_inlined, i8
-from ...core.kernels.vec import add, along, at, dot, scale, unrotate
 from ...looks import attributes
+from ...machine.jit import device, f4, i8
+from ...machine.vec import add, along, at, dot, scale, unrotate
 from ..inputs import Batch, LinearTriangles, Pose, PosedMesh, SceneLight, Screen, Tables
 from ..lanes import (
     ALBEDO,
@@ -39,7 +39,7 @@ from .skin import PORES, PORES_DARKEN, PORES_DULL, collar_free, fill, pore_depth
 from .skin_lamps import edge_light, lamp_change, lamp_light
 
 
-@fast_device
+@device("fast")
 def light_vertices(
     n: int,
     batch: Batch,
@@ -61,7 +61,7 @@ def light_vertices(
             _write(batch.column[first + lane], lane, batch.block, depth, pose, tables, linear)
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _read(v: int, lane: int, block: Float32Array, mesh: PosedMesh) -> None:
     """Read vertex v into a lane."""
     put(block, ALBEDO, lane, at(mesh.attributes, v))
@@ -79,7 +79,7 @@ def _read(v: int, lane: int, block: Float32Array, mesh: PosedMesh) -> None:
         block[REACH + lamp * LANES + lane] = mesh.reach[v, lamp]
 
 
-@fast_device
+@device("fast")
 def _light_block(count: int, block: Float32Array, screen: Screen, light: SceneLight, tables: Tables) -> None:
     """Light a block of vertices; write into WAY how the light of green changes with the normal."""
     face(block, (screen.eye[0], screen.eye[1], screen.eye[2]))
@@ -95,7 +95,7 @@ def _light_block(count: int, block: Float32Array, screen: Screen, light: SceneLi
     edge_light(block, light.ambient)
 
 
-@fast_inlined
+@device("fast", inlined=True)
 def _write(
     v: int,
     lane: int,

@@ -45,7 +45,7 @@ class Saved:
 
 @dataclass(frozen=True, slots=True)
 class Ready:
-    """Whether the server is "warming" (it compiles kernels; the first face waits for them) or is "warm"."""
+    """Whether the server is "warming" (it loads the face; the first one waits for it) or is "warm"."""
 
     what: Literal["warming", "warm"]
 

@@ -1,8 +1,6 @@
-"""What a kernel is compiled from, as a digest: its source, and all that it reaches by the names in it.
+"""The digest of a kernel: of its source, and of all that it reaches by the names in it.
 
-Comments and empty lines do not count, nor what other functions of the same file do. Of a function written in
-the compiler's intermediate language the whole file counts, and so does it of what such functions may change
-without being named: how numba compiles our kernels.
+Comments and empty lines do not count, nor what other functions of the same file do.
 """
 
 from __future__ import annotations
@@ -10,73 +8,67 @@ from __future__ import annotations
 import enum
 import hashlib
 import linecache
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator
 from functools import cache, lru_cache
+from pathlib import Path
 from types import BuiltinFunctionType, CodeType, FunctionType, ModuleType
 from typing import Any
 
 import numpy as np
-from numba import types
-from numba.core.extending import _Intrinsic
-from numba.core.registry import CPUDispatcher
 
-from . import device_compiler, four, quick_types
+from .declared import Declaration, device_of
 
-_GENERATORS = device_compiler, four, quick_types
-_PLAIN = int, float, complex, str, bytes, type(None), np.generic, types.Type
+_COMPILERS = "compile.py", "entry.py", "layout.py", "optimize.py"
+_PLAIN = int, float, complex, str, bytes, type(None), np.generic
 
 
-def digest(kernel: Any) -> str:
-    """Return 32 hexadecimal digits that change with anything that a kernel's code is made of.
+def digest(kernel: Declaration) -> str:
+    """Return 16 hexadecimal digits that change with anything that a kernel's code is made of.
 
     Raises TypeError for one that reaches something whose value cannot be told.
     """
-    reached: dict[str, str] = {}
-    waiting = [kernel]
+    found = hashlib.sha256(_compilers())
+    declared = kernel.texts, kernel.arithmetic, kernel.wide
+    found.update(f"{declared}\0{_tuples(kernel)}\0".encode())
+    for name, text in sorted(reached(kernel).items()):
+        found.update(f"{name}\0{text}\0".encode())
+    return found.hexdigest()[:16]
+
+
+def reached(kernel: Declaration) -> dict[str, str]:
+    """Return the texts of a kernel's function and of all device functions that it calls, by their names."""
+    found: dict[str, str] = {}
+    waiting: list[Any] = [kernel.function]
     while waiting:
         name, text, more = _described(waiting.pop())
-        if name not in reached:
-            reached[name] = text
+        if name not in found:
+            found[name] = text
             waiting += more
-    found = hashlib.sha256(_generators().encode())
-    for name in sorted(reached):
-        found.update(f"{name}\0{reached[name]}\0".encode())
-    return found.hexdigest()[:32]
+    return found
 
 
-def signature_text(kinds: tuple[Any, ...]) -> str:
-    """Return the types of a kernel's arguments, with the names of the fields that tuples have."""
-    return ", ".join(map(_type_text, kinds))
-
-
-def _type_text(kind: Any) -> str:
-    fields = getattr(kind, "fields", None)
-    if fields is None:
-        return str(kind)
-    parts = (f"{name}: {_type_text(part)}" for name, part in zip(fields, kind.types, strict=True))
-    return f"{kind.instance_class.__name__}({', '.join(parts)})"
+def _tuples(kernel: Declaration) -> str:
+    """Return the names and types of the values that a kernel takes in tuples."""
+    return str([[*map(str, one.values), *one.names(kernel.arguments)] for one in kernel.signatures])
 
 
 @lru_cache(maxsize=1)
-def _generators() -> str:
-    return "".join(_file_text(str(module.__file__)) for module in _GENERATORS)
+def _compilers() -> bytes:
+    return b"".join(Path(__file__).with_name(name).read_bytes() for name in _COMPILERS)
 
 
 @cache
 def _described(function: Any) -> tuple[str, str, list[Any]]:
     """Return a function's name, its text, and the functions that it reaches."""
-    compiled = function if isinstance(function, CPUDispatcher) else vars(function).get("dispatcher")
-    options = sorted((key, _text(value)) for key, value in compiled.targetoptions.items()) if compiled else []
-    plain = getattr(function, "py_func", function)
-    defaults = _text([plain.__defaults__, sorted((plain.__kwdefaults__ or {}).items())])
-    texts, more = [f"{options}{defaults}{_body(plain.__code__)}"], []
-    for name, value in sorted(_globals(plain).items(), key=lambda item: item[0]):
-        if _is_own(value):
+    defaults = _text([function.__defaults__, sorted((function.__kwdefaults__ or {}).items())])
+    texts, more = [f"{device_of(function)}{defaults}{_body(function.__code__)}"], []
+    for name, value in sorted(_globals(function).items(), key=lambda item: item[0]):
+        if device_of(value):
             more.append(value)
-            texts.append(f"{name}: {_name(getattr(value, 'py_func', value))}")
+            texts.append(f"{name}: {_name(value)}")
         else:
             texts.append(f"{name}: {_text(value)}")
-    return _name(plain), "\n".join(texts), more
+    return _name(function), "\n".join(texts), more
 
 
 def _globals(function: FunctionType) -> dict[str, Any]:
@@ -98,13 +90,6 @@ def _names(code: CodeType) -> Iterator[str]:
             yield from _names(constant)
 
 
-def _is_own(value: Any) -> bool:
-    """Whether numba compiles a function from our source."""
-    return isinstance(value, CPUDispatcher) or (
-        isinstance(value, FunctionType) and "dispatcher" in vars(value)
-    )
-
-
 def _text(value: Any) -> str:
     """Return what a name stands for, as text that is the same for the same value."""
     if isinstance(value, _PLAIN):
@@ -115,11 +100,8 @@ def _text(value: Any) -> str:
         return f"{{{', '.join(sorted(map(_text, value)))}}}"
     if isinstance(value, np.ndarray):
         return f"{value.dtype.str}{value.shape} {hashlib.sha256(value.tobytes()).hexdigest()}"
-    if isinstance(value, _Intrinsic):
-        return _file_text(value._defn.__code__.co_filename)
     if isinstance(value, enum.EnumType):
-        members: Mapping[str, enum.Enum] = value.__members__
-        return str({name: member.value for name, member in members.items()})
+        return str({name: member.value for name, member in value.__members__.items()})  # type: ignore[var-annotated]
     if isinstance(value, type | FunctionType | BuiltinFunctionType | np.ufunc):
         return f"{_name(value)}{getattr(value, '_fields', '')}"
     if isinstance(value, ModuleType):
@@ -127,7 +109,7 @@ def _text(value: Any) -> str:
     raise TypeError(f"{value!r}: whether this has changed cannot be told")
 
 
-def _name(value: Callable[..., Any]) -> str:
+def _name(value: Any) -> str:
     return f"{getattr(value, '__module__', '')}.{getattr(value, '__qualname__', value.__name__)}"
 
 
@@ -136,7 +118,9 @@ def _body(code: CodeType) -> str:
     rows = [(first, last) for first, last in _rows(code) if first > code.co_firstlineno] or list(_rows(code))
     first, last = min(first for first, _ in rows), max(last for _, last in rows)
     lines = linecache.getlines(code.co_filename)[first - 1 : last]
-    return f"{code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]}\n{_without_comments(lines)}"
+    kept = (line.rstrip() for line in lines)
+    text = "\n".join(line for line in kept if line.strip() and not line.strip().startswith("#"))
+    return f"{code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]}\n{text}"
 
 
 def _rows(code: CodeType) -> Iterator[tuple[int, int]]:
@@ -147,13 +131,3 @@ def _rows(code: CodeType) -> Iterator[tuple[int, int]]:
     for constant in code.co_consts:
         if isinstance(constant, CodeType):
             yield from _rows(constant)
-
-
-@cache
-def _file_text(path: str) -> str:
-    return _without_comments(linecache.getlines(path))
-
-
-def _without_comments(lines: list[str]) -> str:
-    kept = (line.rstrip() for line in lines)
-    return "\n".join(line for line in kept if line.strip() and not line.strip().startswith("#"))
