@@ -5,11 +5,13 @@ FROM --platform=linux/amd64 python:3.11-slim AS build
 WORKDIR /src
 COPY requirements/run.txt requirements/run.txt
 RUN python -m venv /opt/risorius && /opt/risorius/bin/pip install --no-cache-dir --require-hashes -r requirements/run.txt
-COPY pyproject.toml README.md LICENSE LICENSE-CC0 ./
+COPY pyproject.toml hatch_build.py README.md LICENSE LICENSE-CC0 ./
 COPY src src
 RUN /opt/risorius/bin/pip install --no-cache-dir --no-deps --no-build-isolation --no-index .
-# Compiled once, for whatever user runs it later. The cache is for processors of the builder's kind: build where you run.
-ENV NUMBA_CACHE_DIR=/opt/risorius-cache OPENBLAS_NUM_THREADS=1
+# numba has compiled the kernels, for x86-64 processors with AVX2; to run, it is not needed.
+RUN /opt/risorius/bin/pip uninstall --yes numba
+# Faces are solved once, for whatever user runs them later.
+ENV RISORIUS_CACHE_DIR=/opt/risorius-cache OPENBLAS_NUM_THREADS=1
 RUN /opt/risorius/bin/risorius pose AU12=1 --size 64x64 -o /tmp/warm.png \
  && /opt/risorius/bin/risorius speak "Warm." --size 64x64 --fps 4 -o /tmp/warm.mp4 \
  && chmod -R a+rX /opt/risorius-cache
@@ -18,7 +20,7 @@ FROM --platform=linux/amd64 python:3.11-slim
 RUN useradd --create-home --uid 10001 risorius
 COPY --from=build /opt/risorius /opt/risorius
 COPY --from=build /opt/risorius-cache /opt/risorius-cache
-ENV PATH=/opt/risorius/bin:$PATH NUMBA_CACHE_DIR=/opt/risorius-cache OPENBLAS_NUM_THREADS=1
+ENV PATH=/opt/risorius/bin:$PATH RISORIUS_CACHE_DIR=/opt/risorius-cache OPENBLAS_NUM_THREADS=1
 USER risorius
 WORKDIR /work
 ENTRYPOINT ["risorius"]
