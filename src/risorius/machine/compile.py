@@ -20,9 +20,8 @@ os.environ.setdefault("NUMBA_OPT", "1")
 
 import numba
 
-from .declared import Arithmetic, Declaration, Device, kernels
+from .declared import Arithmetic, Declaration, Device, device_compilers, kernels
 from .entry import KINDS, entry_of
-from .jit import compile_devices_with
 from .object_code import symbol
 from .optimize import object_file
 
@@ -67,7 +66,7 @@ def write(path: Path, content: bytes) -> None:
 def main(arguments: Sequence[str]) -> int:
     """Compile what the arguments name; say which kernel cannot be compiled, and why."""
     gc.disable()  # it would look through millions of live objects, for a twentieth of the time
-    compile_devices_with(compile_device)
+    device_compilers.append(compile_device)
     folder = Path(arguments[0])
     texts: dict[str, dict[str, str]] = {}
     for wanted in arguments[1:]:

@@ -49,6 +49,8 @@ kernels: dict[str, Declaration] = {}
 """The kernels of all files that are imported, by their names."""
 devices: dict[Callable[..., Any], Device] = {}
 """The device functions of all files that are imported."""
+device_compilers: list[Callable[[Callable[..., Any], Device], Any]] = []
+"""Replaces device functions as they are declared: one function in a process that compiles, else empty."""
 
 
 def device_of(function: Any) -> Device | None:

@@ -19,7 +19,7 @@ from typing import Any, TypeVar, cast
 import numpy as np
 
 from .call import Kernel
-from .declared import Arithmetic, Declaration, Device, devices, kernels
+from .declared import Arithmetic, Declaration, Device, device_compilers, devices, kernels
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -30,9 +30,6 @@ i4 = cast(Callable[[float], int], np.int32)
 i8 = cast(Callable[[float], int], np.int64)
 # Indices without sign: the compiler then leaves out the test for negative ones, which counts in inner loops.
 index = cast(Callable[[float], int], np.uint32)
-
-
-_compile_device: Callable[[Callable[..., Any], Device], Any] | None = None
 
 
 def kernel(*signatures: str, arithmetic: Arithmetic = "exact", wide: bool = False) -> Callable[[F], F]:
@@ -60,12 +57,8 @@ def device(arithmetic: Arithmetic = "exact", inlined: bool = False) -> Callable[
     def decorate(function: F) -> F:
         described = Device(arithmetic, inlined)
         devices[function] = described
-        return cast(F, _compile_device(function, described)) if _compile_device else function
+        for compiler in device_compilers:
+            return cast(F, compiler(function, described))
+        return function
 
     return decorate
-
-
-def compile_devices_with(compiler: Callable[[Callable[..., Any], Device], Any]) -> None:
-    """Replace device functions that are declared from now on; only `compile` does, in its own process."""
-    global _compile_device
-    _compile_device = compiler

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Any
 
 from .declared import Declaration
@@ -29,8 +29,10 @@ class _Method(ctypes.Structure):
     )
 
 
-_methods: list[_Method] = []
-"""Those of all functions, which Python does not copy."""
+@cache
+def _method(name: str, address: int) -> _Method:
+    """Return the description of a function. It is kept for ever, because Python refers to it."""
+    return _Method(name.encode(), address, _FASTCALL, None)
 
 
 def load(kernel: Declaration) -> list[KernelEntry]:
@@ -54,11 +56,9 @@ def symbol(name: str, number: int) -> str:
 
 
 def _function(name: str, address: int) -> KernelEntry:
-    method = _Method(name.encode(), address, _FASTCALL, None)
-    _methods.append(method)
     make = ctypes.pythonapi.PyCFunction_NewEx
     make.restype, make.argtypes = ctypes.py_object, (ctypes.c_void_p, ctypes.py_object, ctypes.c_void_p)
-    made: KernelEntry = make(ctypes.addressof(method), _table(), None)
+    made: KernelEntry = make(ctypes.addressof(_method(name, address)), _table(), None)
     return made
 
 

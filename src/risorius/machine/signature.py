@@ -15,7 +15,7 @@ from typing import Any, get_type_hints
 
 import numpy as np
 
-_TOKEN = re.compile(r"\s*(?:(\w+)(\[ *(?::|\d+) *(?:, *(?::|\d+) *)*\])?|([(),]))")
+_TOKEN = re.compile(r"(\w+)(\[[:\d,]+\])?|([(),])")
 _NUMBER = re.compile(r"[fiu][1248]|b1")
 
 
@@ -100,22 +100,23 @@ def parse(text: str, names: Mapping[str, Any]) -> Signature:
     kinds = _list(tokens, names)
     returned = _named(result.strip(), (), names) if result else None
     if tokens or isinstance(returned, Record):
-        raise TypeError(f"'{text}' is no signature of a kernel")
+        raise TypeError(f"'{text}' is not a signature of a kernel")
     return Signature(tuple(kinds), returned)
 
 
 def _tokens(text: str) -> Iterator[tuple[str, tuple[int, ...]]]:
-    """Yield names and signs, each with the axes after it."""
-    position = 0
-    text = text.rstrip()
-    while position < len(text):
-        match = _TOKEN.match(text, position)
+    """Yield names and signs, each with the axes after it; blanks do not count."""
+    position, packed = 0, text.replace(" ", "")
+    while position < len(packed):
+        match = _TOKEN.match(packed, position)
         if match is None:
-            raise TypeError(f"'{text}' is no signature of a kernel")
+            raise TypeError(f"'{text}' is not a signature of a kernel")
         position = match.end()
         name, axes, sign = match.groups()
         lengths = axes[1:-1].split(",") if axes else ()
-        yield sign or name, tuple(0 if n.strip() == ":" else int(n) for n in lengths)
+        if not all(length == ":" or length.isdigit() for length in lengths):
+            raise TypeError(f"'{text}' is not a signature of a kernel")
+        yield sign or name, tuple(0 if length == ":" else int(length) for length in lengths)
 
 
 def _list(tokens: list[tuple[str, tuple[int, ...]]], names: Mapping[str, Any]) -> list[Value | Record]:
