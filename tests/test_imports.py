@@ -18,7 +18,9 @@ import risorius
 
 ROOT = Path(risorius.__file__).parent
 GROUND = {"errors"}
-WORDS = {"core", "machine", "languages", "rules", "script", "speech"}
+FIELD = {"reading", "core"}
+BASE = FIELD | {"machine"}
+WORDS = BASE | {"languages", "rules", "script", "speech"}
 TAKE = WORDS | {"channels", "blend", "face", "looks", "render", "ports", "settings"}
 PIPELINE = TAKE | {"unused_settings", "solvers", "take"}
 LIBRARY = PIPELINE | {"presets", "pipeline", "api", "live", "batches"}
@@ -28,25 +30,26 @@ LIBRARY = PIPELINE | {"presets", "pipeline", "api", "live", "batches"}
 MAY_IMPORT: Mapping[str, set[str]] = {
     "errors": set(),
     "heads": set(),
-    "core": set(),
+    "reading": set(),
+    "core": {"reading"},
+    "machine": FIELD,
     "browser": set(),
-    "machine": {"core"},
-    "web": {"core"},
-    "languages": {"core"},
-    "rules": {"core", "languages"},
-    "script": {"core", "languages", "rules"},
-    "speech": {"core", "machine", "languages", "rules", "script"},
+    "web": BASE,
+    "languages": BASE,
+    "rules": BASE | {"languages"},
+    "script": BASE | {"languages", "rules"},
+    "speech": BASE | {"languages", "rules", "script"},
     "channels": WORDS - {"machine"},
-    "blend": {"core"},
-    "face": {"core", "machine"},
-    "settings": {"core", "rules", "speech", "blend", "face"},
-    "presets": {"core", "settings"},
-    "looks": {"core", "machine", "face", "settings"},
-    "render": {"core", "machine", "face", "settings", "looks"},
-    "ports": {"core", "machine", "browser", "languages", "script", "face", "looks", "render"},
-    "unused_settings": {"core", "speech", "ports", "settings"},
-    "notebook": {"core", "render"},
-    "solvers": {"core", "rules", "face", "settings", "unused_settings"},
+    "blend": FIELD,
+    "face": BASE,
+    "settings": BASE | {"rules", "speech", "blend", "face"},
+    "presets": BASE | {"settings"},
+    "looks": BASE | {"face", "settings"},
+    "render": BASE | {"face", "settings", "looks"},
+    "ports": BASE | {"browser", "languages", "script", "face", "looks", "render"},
+    "unused_settings": BASE | {"speech", "ports", "settings"},
+    "notebook": BASE | {"render"},
+    "solvers": BASE | {"rules", "face", "settings", "unused_settings"},
     "take": TAKE | {"notebook", "solvers"},
     "pipeline": PIPELINE - {"face", "looks", "render", "ports", "unused_settings"},
     "api": PIPELINE | {"pipeline"},

@@ -18,7 +18,7 @@ from types import FunctionType, MappingProxyType
 import numpy as np
 
 import risorius
-from risorius.core.frozen import FrozenDict
+from risorius.reading.frozen import FrozenDict
 
 from .collected import all_cases
 

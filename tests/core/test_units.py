@@ -7,10 +7,10 @@ from dataclasses import make_dataclass
 import pytest
 
 from risorius.core import units
-from risorius.core.hints import Range
-from risorius.core.schema import build
-from risorius.core.source_text import SourceText
 from risorius.errors import InputError
+from risorius.reading.hints import Range
+from risorius.reading.schema import build
+from risorius.reading.source_text import SourceText
 
 UNITS = {name: unit for name, unit in vars(units).items() if typing.get_origin(unit) is typing.Annotated}
 

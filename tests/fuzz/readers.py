@@ -15,7 +15,6 @@ from PIL import Image
 from risorius.api import load, mix
 from risorius.batches.manifest import Manifest
 from risorius.core.npz import read_arrays
-from risorius.core.toml import load_file
 from risorius.errors import HeadError, RisoriusError
 from risorius.face.head_file import HeadFile
 from risorius.face.identity import read_identity
@@ -27,6 +26,7 @@ from risorius.ports.au_csv import read_au_csv
 from risorius.ports.fap import FLAGS, read_fap
 from risorius.ports.glb_file import GlbFile, save_glb
 from risorius.ports.rig import read_rig
+from risorius.reading.toml import load_file
 from risorius.render.backdrop import backdrop
 from risorius.rules.emotions import Emotion, parse_display
 from risorius.rules.profiles import profile_of

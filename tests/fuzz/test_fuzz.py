@@ -21,10 +21,10 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 
 import risorius
-from risorius.core.schema import MisfitError, converter
 from risorius.core.setting import rows
 from risorius.errors import RisoriusError
 from risorius.ports.formats import FORMATS
+from risorius.reading.schema import MisfitError, converter
 from risorius.script.read import READERS as SCRIPTS
 from risorius.script.read import RECORDING_SUFFIXES
 from risorius.serve.messages import KINDS
@@ -51,9 +51,9 @@ PACKAGE_TABLES = {
 """Tables that only the package's own files hold."""
 PARSERS = {
     "batches/manifest": ".manifest.csv .jsonl",
-    "core/json_text": ".json .journal.jsonl .performance.json .glb",
+    "reading/json_text": ".json .journal.jsonl .performance.json .glb",
     "core/npz": ".npz .head.npz",
-    "core/toml": ".rules.toml .config.toml",
+    "reading/toml": ".rules.toml .config.toml",
     "live/services": ".elevenlabs .cartesia .azure",
     "ports/capture": ".au.csv .arkit.csv",
     "ports/fap": ".fap",
@@ -66,7 +66,7 @@ PARSERS = {
     "speech/recordings/recording": ".wav .flac .ogg .mp3",
     "studio/project": ".project.json",
     "studio/session_list": ".saved.json",
-    "web/json_object": ".message .page",
+    "reading/json_object": ".message .page",
 }
 """Modules that parse what others wrote, and the kinds with which they are fuzzed."""
 OURS = {
@@ -74,7 +74,7 @@ OURS = {
     "core/audio": "sound that we wrote",
     "core/cache_folder": "digests of the kernels that we built",
     "core/pcm": "samples, of which all bytes are right",
-    "core/positions": "keys that were parsed before",
+    "reading/positions": "keys that were parsed before",
     "face/regions": "the bytes of its own table",
     "ports/html": "bytes that it writes",
     "ports/npz": "writes",

@@ -15,15 +15,15 @@ from starlette.datastructures import Headers
 from risorius.api import mix, play
 from risorius.batches.journal import NAME as JOURNAL
 from risorius.batches.journal import Journal
-from risorius.core.json_text import parse_json
 from risorius.core.performance import frame_count
-from risorius.core.toml import read_tables
 from risorius.errors import InputError, RisoriusError
 from risorius.face.head import load_head
 from risorius.languages import language_of
 from risorius.live.services import AzureVoice, CartesiaVoice, ElevenLabsVoice
 from risorius.live.session import Live
 from risorius.ports.glb_file import read_glb
+from risorius.reading.json_text import parse_json
+from risorius.reading.toml import read_tables
 from risorius.render.backdrop import backdrop
 from risorius.rules.emotions import parse_display
 from risorius.rules.profiles import profile_of

@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import pytest
 
-from risorius.core.toml import parse
 from risorius.core.utterance import Ending
 from risorius.errors import InputError
 from risorius.languages import language_of
 from risorius.languages.intonation import AccentRule, BoundaryRule, Candidate
+from risorius.reading.toml import parse
 
 PLAIN = Candidate(True, False, False, False, False, Ending.STATEMENT)
 

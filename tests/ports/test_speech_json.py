@@ -8,8 +8,6 @@ import numpy as np
 import pytest
 
 from risorius.core.audio import Audio
-from risorius.core.json_text import parse_json
-from risorius.core.schema import placed
 from risorius.core.score import Score
 from risorius.core.utterance import Accent, Syllable, Utterance
 from risorius.errors import InputError, RisoriusWarning
@@ -17,6 +15,8 @@ from risorius.ports.score_json import read_score_file
 from risorius.ports.speech_json import SpeechDocument
 from risorius.ports.targets import check_targets, write_targets
 from risorius.ports.writable import WritableTake
+from risorius.reading.json_text import parse_json
+from risorius.reading.schema import placed
 
 SPEECH: dict[str, Any] = {
     "language": "en",

@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.core.toml import parse
 from risorius.errors import InputError
+from risorius.reading.toml import parse
 from risorius.rules.emotions import emotions
 from risorius.rules.fuzzy import FuzzyTable, blend_units, blended, fuzzy_table
 from risorius.rules.fuzzy_sets import check_centres, concluded, memberships

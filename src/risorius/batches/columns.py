@@ -6,9 +6,9 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import cache
 
-from ..core.frozen import FrozenDict
 from ..core.setting import SWITCHED, Row, rows
 from ..errors import InputError, Place, unknown
+from ..reading.frozen import FrozenDict
 from ..settings import Settings
 
 INPUT = ("id", "text", "script", "audio", "transcript", "emotion")

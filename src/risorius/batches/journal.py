@@ -14,9 +14,9 @@ from pathlib import Path
 from typing import IO
 
 from ..core.file_lock import lock
-from ..core.json_text import parse_json
 from ..errors import InputError, OutputError, Place
 from ..ports.atomic import os_failure
+from ..reading.json_text import parse_json
 from .fingerprint import FileRecord
 from .outcome import Outcome
 from .scratch import Scratch

@@ -15,9 +15,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from ..core.json_text import parse_json
 from ..core.paths import exists, is_utf8
 from ..errors import InputError, Place, RisoriusError
+from ..reading.json_text import parse_json
 from ..script.read import RECORDING_SUFFIXES
 
 LONGEST_LINE = 1_000_000  # bytes

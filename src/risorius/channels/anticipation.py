@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from ..core.articulators import PROTRUSION, WIDTH
-from ..core.frozen import FrozenDict
 from ..core.movement import LipSegment
 from ..core.utterance import SILENCE, Phone, Utterance
+from ..reading.frozen import FrozenDict
 
 ROUNDING = (WIDTH, PROTRUSION)
 """The articulators of rounding. It begins before its vowel; an unrounded vowel asks nothing of consonants.

@@ -10,10 +10,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from ..core.articulators import PROTRUSION, SHORTEST_CLOSURE, within_range
-from ..core.frozen import FrozenDict
 from ..core.movement import Cause, LipSegment, silent_dominance
 from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
 from ..languages.phonesets import to_arpabet
+from ..reading.frozen import FrozenDict
 from ..rules.articulation import is_known, sounds
 from ..rules.lips import OPENING, SEAL, LipTable, PhoneShape
 from .anticipation import TargetsHeld, anticipated, coming_vowels

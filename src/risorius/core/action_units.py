@@ -13,10 +13,10 @@ from functools import lru_cache
 from typing import Annotated
 
 from ..errors import ParameterError, unknown
-from .frozen import FrozenDict
-from .hints import Then
+from ..reading.frozen import FrozenDict
+from ..reading.hints import Then
+from ..reading.schema import MisfitError
 from .parameters import BASES, INDEX, PARAMETERS, Parameter, check_value, parameters_named
-from .schema import MisfitError
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,8 +11,8 @@ from typing import Annotated
 
 import numpy as np
 
+from ..reading.hints import Then
 from .arrays import Array
-from .hints import Then
 from .registry import Registry
 
 OnsetFunction = Callable[[Array], Array]

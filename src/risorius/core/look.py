@@ -7,7 +7,7 @@ from types import MappingProxyType
 from typing import Annotated
 
 from ..errors import InputError, nearest, unknown
-from .hints import Range
+from ..reading.hints import Range
 
 Size = tuple[int, int]
 """Width and height of a picture in pixels."""

@@ -7,10 +7,10 @@ from itertools import pairwise
 from typing import Annotated
 
 from ..errors import InputError
+from ..reading.hints import Range
 from .articulators import check_lip_target
 from .choices import CONFLICT, CONTACT, LIPS, ROUNDING
 from .functions import FunctionName
-from .hints import Range
 from .movement import (
     LipSegment,
     ManualCurve,

@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InputError, unknown
-from .frozen import FrozenDict
+from ..reading.frozen import FrozenDict
 from .names import Names, spelled, value_at
 
 _KEY = "setting"

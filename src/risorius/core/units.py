@@ -6,7 +6,7 @@ its line. Each name says what the range bounds.
 
 from typing import Annotated
 
-from .hints import Range
+from ..reading.hints import Range
 
 Share = Annotated[float, Range(0.0, 1.0)]
 """A part of a whole, a probability, a confidence or an intensity."""

@@ -9,8 +9,8 @@ from enum import StrEnum
 from itertools import groupby, pairwise
 from typing import Annotated
 
+from ..reading.hints import Range
 from .audio import Audio
-from .hints import Range
 from .time import put_on_ticks, ticks_of
 from .units import Seconds, Share
 

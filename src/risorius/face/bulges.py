@@ -13,9 +13,9 @@ from functools import lru_cache
 import numpy as np
 
 from ..core.arrays import Array, UInt32Array
-from ..core.frozen import FrozenDict
-from ..core.toml import package_text, parse_rows
 from ..machine.jit import device, kernel
+from ..reading.frozen import FrozenDict
+from ..reading.toml import package_text, parse_rows
 from .compression import Compression, Zone
 from .head import Head
 from .layouts import Landmarks, Spacing, Vector, spot

@@ -11,10 +11,10 @@ import numpy as np
 
 from ..core.arkit import INDEX
 from ..core.arrays import Array
-from ..core.frozen import FrozenDict
-from ..core.hints import Range
-from ..core.toml import package_text, parse_rows
 from ..errors import InputError, unknown
+from ..reading.frozen import FrozenDict
+from ..reading.hints import Range
+from ..reading.toml import package_text, parse_rows
 
 FILE = "expressions.toml"
 

@@ -12,10 +12,10 @@ from typing import Annotated, NamedTuple, Protocol
 import numpy as np
 
 from ..core.arrays import Array, Int64Array
-from ..core.hints import Range, Then
 from ..core.units import Share
 from ..errors import InputError
 from ..machine.jit import kernel
+from ..reading.hints import Range, Then
 from .marks import Marks, plateau, ripple, smooth
 
 

@@ -18,8 +18,8 @@ import numpy as np
 from ..core.arrays import Array, UInt32Array
 from ..core.links import Link
 from ..core.parameters import INDEX
-from ..core.toml import load_file
 from ..machine.jit import kernel
+from ..reading.toml import load_file
 
 FILE = "links.toml"
 

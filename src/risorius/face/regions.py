@@ -11,9 +11,9 @@ import numpy as np
 
 from ..core.array_cache import cached_arrays
 from ..core.arrays import Array
-from ..core.toml import package_text, parse_rows
 from ..core.units import Share
 from ..errors import InputError, unknown
+from ..reading.toml import package_text, parse_rows
 from .compression import Zone
 from .head import Head
 from .layouts import Dimples, Fan, Fold, Layout, Lines, Millimetres, Spacing

@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated
 
-from ..core.hints import Range
 from ..core.tobi import boundary_tone, pitch_accent
 from ..core.units import Share
 from ..core.utterance import Ending
+from ..reading.hints import Range
 
 
 @dataclass(frozen=True, slots=True)

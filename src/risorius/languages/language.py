@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Annotated
 
-from ..core.hints import Range
 from ..core.utterance import Question
+from ..reading.hints import Range
 from .abbreviations import Abbreviations
 from .intonation import IntonationTable
 from .mnemonics import Mnemonics

@@ -9,9 +9,9 @@ from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
-from ..core.schema import build
-from ..core.source_text import SourceText
-from ..core.toml import read_tables, read_text
+from ..reading.schema import build
+from ..reading.source_text import SourceText
+from ..reading.toml import read_tables, read_text
 from .abbreviations import Abbreviations
 from .intonation import IntonationTable
 from .language import Language, LanguageTable, NumberReadings, PhoneTable, WordList

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from enum import StrEnum
 from functools import cache
 
-from ..core.frozen import FrozenDict
-from ..core.toml import package_text, parse
 from ..errors import InputError
+from ..reading.frozen import FrozenDict
+from ..reading.toml import package_text, parse
 
 INVENTORY = "phones.toml"
 

@@ -13,9 +13,9 @@ from datetime import timedelta
 from typing import Any, TypeVar
 
 from ..core.pcm import sample_bytes
-from ..core.schema import build
-from ..core.source_text import SourceText, Syntax
 from ..errors import InputError, unknown
+from ..reading.schema import build
+from ..reading.source_text import SourceText, Syntax
 from .session import Live
 
 T = TypeVar("T")

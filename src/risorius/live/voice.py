@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..core.audio import Samples
-from ..core.hints import shown
 from ..core.pcm import PcmDecoder, check_rate, samples_of
-from ..core.source_text import Syntax
 from ..errors import InputError
+from ..reading.hints import shown
+from ..reading.source_text import Syntax
 from ..speech.alignment.timed_words import TimedWord, check_times, written
 from ..speech.recordings.recording import HIGHEST_RATE, LOWEST_RATE
 

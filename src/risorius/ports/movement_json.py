@@ -10,8 +10,6 @@ from ..core.action_units import in_parameters, read_targets
 from ..core.articulators import ARTICULATORS, check_lip_target
 from ..core.channels import CHANNELS
 from ..core.functions import DEFAULT_FUNCTION
-from ..core.hints import ChooseType, Range, Then
-from ..core.json_text import JsonObject
 from ..core.key_shapes import KeyShape
 from ..core.movement import (
     Cause,
@@ -25,9 +23,11 @@ from ..core.movement import (
     check_target,
 )
 from ..core.parameters import parameters_named
-from ..core.schema import MisfitError
 from ..core.units import MAX_SECONDS, Seconds
 from ..errors import InputError, ParameterError, RisoriusError, unknown
+from ..reading.hints import ChooseType, Range, Then
+from ..reading.json_text import JsonObject
+from ..reading.schema import MisfitError
 from .layout import to_record
 
 V = TypeVar("V")

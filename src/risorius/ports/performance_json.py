@@ -12,12 +12,12 @@ import numpy as np
 
 from ..core.arrays import Array
 from ..core.frame_rate import parse_fps
-from ..core.hints import Numbers, Then
-from ..core.json_text import load_json
 from ..core.parameters import NAMES, PARAMETERS
 from ..core.performance import Performance, frame_count
-from ..core.schema import MisfitError, placed, within
 from ..errors import InputError, Place, unknown
+from ..reading.hints import Numbers, Then
+from ..reading.json_text import load_json
+from ..reading.schema import MisfitError, placed, within
 from .formats import register
 from .layout import write_json
 from .readable import PerformanceFile, ReadOptions

@@ -15,13 +15,13 @@ from ..core.arrays import Array, Float32Array
 from ..core.blas import one_thread
 from ..core.parameters import INDEX as PARAMETER
 from ..core.parameters import NEUTRAL
-from ..core.source_text import SourceText
-from ..core.toml import parse, read_text
 from ..errors import InputError, Place, unknown
 from ..face.arkit_fit import ArkitFit, ArkitTrack
 from ..face.head import Head
 from ..face.response import FITTED
 from ..face.solve import FaceSolver
+from ..reading.source_text import SourceText
+from ..reading.toml import parse, read_text
 from .glb_file import GlbFile, read_glb
 
 WELL, PARTLY = 0.25, 0.6  # shares of a movement left over up to which it is shown well, and partly

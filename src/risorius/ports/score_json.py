@@ -6,14 +6,14 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Annotated, Any
 
-from ..core.hints import Range, Then
-from ..core.json_text import load_json
 from ..core.movement import LipSegment, ManualCurve, Movement
-from ..core.schema import placed, within
 from ..core.score import BlendSettings, Score, check_score
 from ..core.units import MAX_SECONDS
 from ..core.utterance import Utterance
 from ..errors import InputError
+from ..reading.hints import Range, Then
+from ..reading.json_text import load_json
+from ..reading.schema import placed, within
 from .formats import register
 from .layout import write_json
 from .movement_json import Entry, entry_to_json

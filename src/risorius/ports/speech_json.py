@@ -11,10 +11,10 @@ from types import MappingProxyType
 from typing import Annotated, Any
 
 from ..core.audio import Audio, silence
-from ..core.hints import Range
-from ..core.schema import MisfitError
 from ..core.utterance import Accent, Boundary, Pause, Phone, Phrase, Syllable, Utterance, Word
 from ..errors import warn
+from ..reading.hints import Range
+from ..reading.schema import MisfitError
 from .layout import to_record
 
 _PARTS = ("phones", "words", "syllables", "pauses", "accents", "boundaries", "phrases")

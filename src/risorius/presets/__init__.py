@@ -12,13 +12,13 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
-from ..core.frozen import FrozenDict
-from ..core.hints import shown
 from ..core.paths import path_of
 from ..core.setting import Row, rows
-from ..core.source_text import SourceText
-from ..core.toml import read_tables, read_text
 from ..errors import ParameterError, RisoriusError, unknown
+from ..reading.frozen import FrozenDict
+from ..reading.hints import shown
+from ..reading.source_text import SourceText
+from ..reading.toml import read_tables, read_text
 from ..settings import Settings, settings_of
 
 _DESCRIPTION = "description"

@@ -10,11 +10,11 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from ..core.articulators import PROTRUSION, within_range
-from ..core.frozen import FrozenDict
 from ..core.units import Share
 from ..errors import InputError, ParameterError, unknown
 from ..languages.phones import check_phones
 from ..languages.phonesets import IPA
+from ..reading.frozen import FrozenDict
 from .lips import LipTargets, PhoneShape, check_shape, lip_table
 from .load import load
 

@@ -13,13 +13,13 @@ from types import MappingProxyType
 from typing import Annotated, Any
 
 from ..core.action_units import check_intensity, kept_units, resolve_targets
-from ..core.frozen import FrozenDict
 from ..core.functions import FunctionName
-from ..core.hints import Range
 from ..core.rivalry import rival_pairs
-from ..core.toml import read_tables, written
 from ..core.units import MAX_SECONDS, RiseSeconds, Seconds, Share
 from ..errors import InputError, ParameterError, unknown
+from ..reading.frozen import FrozenDict
+from ..reading.hints import Range
+from ..reading.toml import read_tables, written
 from .fuzzy_sets import concluded
 from .load import DATA, load_file, load_folder
 from .modulation import Modulation

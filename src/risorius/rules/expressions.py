@@ -8,10 +8,10 @@ from functools import cache
 from typing import Annotated
 
 from ..core.choices import EXPRESSIONS
-from ..core.frozen import FrozenDict
 from ..core.functions import FunctionName
-from ..core.hints import Range
 from ..errors import ParameterError, unknown
+from ..reading.frozen import FrozenDict
+from ..reading.hints import Range
 from .emotions import Emotion
 from .load import load
 from .modulation import Modulation

@@ -11,8 +11,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
 
-from ..core.frozen import FrozenDict
 from ..errors import InputError, ParameterError, unknown
+from ..reading.frozen import FrozenDict
 from .profiles import Profile
 from .tuned import nested, numbers_of
 

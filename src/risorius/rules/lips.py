@@ -9,15 +9,15 @@ from functools import lru_cache
 from typing import Annotated, Any
 
 from ..core.articulators import APERTURE, ARTICULATORS, JAW, check_lip_target
-from ..core.frozen import FrozenDict
-from ..core.hints import Range
 from ..core.movement import Dominance
 from ..core.parameters import INDEX, parameters_named
-from ..core.schema import build
-from ..core.source_text import SourceText
 from ..core.units import Share
 from ..errors import InputError, ParameterError, unknown
 from ..languages.phones import check_phones
+from ..reading.frozen import FrozenDict
+from ..reading.hints import Range
+from ..reading.schema import build
+from ..reading.source_text import SourceText
 from .load import DATA, load
 
 Weights = Mapping[str, Annotated[float, Range(0.0, 100.0)]]

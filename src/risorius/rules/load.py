@@ -5,7 +5,7 @@ from __future__ import annotations
 from importlib import resources
 from typing import TypeVar
 
-from ..core.toml import load_file, parse
+from ..reading.toml import load_file, parse
 
 T = TypeVar("T")
 DATA = resources.files(__package__) / "data"

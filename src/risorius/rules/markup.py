@@ -8,9 +8,9 @@ from functools import cache
 from typing import Annotated
 
 from ..core.action_units import resolve_targets
-from ..core.hints import Range
 from ..core.movement import check_target
 from ..core.units import MarkSeconds, Share, SignedShare
+from ..reading.hints import Range
 from .load import load
 
 Swings = tuple[SignedShare, ...]

@@ -8,9 +8,9 @@ from functools import lru_cache
 
 from ..core.action_units import in_parameters, kept_units, unit_weights
 from ..core.counted import Counted
-from ..core.frozen import FrozenDict
 from ..core.parameters import INDEX, PARAMETERS, Kind, parameters_named
 from ..core.time import TICK
+from ..reading.frozen import FrozenDict
 from .emotions import emotion, emotion_key
 from .markup import markup_table
 from .modulation import Modulation, rate_of, size_of

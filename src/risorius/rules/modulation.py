@@ -12,8 +12,8 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Annotated
 
-from ..core.frozen import FrozenDict
-from ..core.hints import Range
+from ..reading.frozen import FrozenDict
+from ..reading.hints import Range
 
 ModulationFactor = Annotated[float, Range(0.0, 5.0)]
 

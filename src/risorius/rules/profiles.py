@@ -10,14 +10,14 @@ from typing import Annotated, Any, Literal, cast
 
 from ..core.action_units import resolve_targets
 from ..core.choices import BLINK_MODELS
-from ..core.frozen import FrozenDict
-from ..core.hints import Range
 from ..core.parameters import INDEX, PARAMETERS, Kind
-from ..core.schema import build
-from ..core.source_text import SourceText
-from ..core.toml import read_tables, read_text
 from ..core.units import DeviationDegrees, HabitSeconds, Share, SignedShare
 from ..errors import InputError, ParameterError, unknown
+from ..reading.frozen import FrozenDict
+from ..reading.hints import Range
+from ..reading.schema import build
+from ..reading.source_text import SourceText
+from ..reading.toml import read_tables, read_text
 from .load import DATA, load_folder
 from .modulation import Modulation, ModulationFactor
 

@@ -14,13 +14,13 @@ from typing import Annotated
 
 from ..core.action_units import resolve_targets
 from ..core.channels import CHANNELS
-from ..core.frozen import FrozenDict
 from ..core.functions import ONSET_FUNCTIONS
-from ..core.hints import Range
 from ..core.tobi import boundary_tone, pitch_accent
 from ..core.units import RiseSeconds, Share
 from ..core.utterance import PauseKind, Question
 from ..errors import InputError, ParameterError, unknown
+from ..reading.frozen import FrozenDict
+from ..reading.hints import Range
 from .articulation import is_known
 from .emotions import emotion
 from .lips import lip_table

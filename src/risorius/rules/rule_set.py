@@ -9,10 +9,10 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
-from ..core.frozen import FrozenDict
-from ..core.source_text import SourceText
-from ..core.toml import parse, read_tables, read_text
 from ..errors import ParameterError, Place, RisoriusError, unknown
+from ..reading.frozen import FrozenDict
+from ..reading.source_text import SourceText
+from ..reading.toml import parse, read_tables, read_text
 from .emotions import emotions_in_force
 from .expressions import FELT, expressed
 from .habits import HABITS, Habit, HabitChanges, deleted_by, with_habits

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Annotated
 
-from ..core.hints import Range
+from ..reading.hints import Range
 from .load import load
 
 SpeechFactor = Annotated[float, Range(0.1, 10.0)]

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Annotated
 
-from ..core.hints import Range
 from ..core.units import Share
+from ..reading.hints import Range
 from .load import load
 
 Exponent = Annotated[float, Range(0.0, 2.0)]

@@ -14,10 +14,10 @@ from typing import Any
 
 from ..core.links import Link
 from ..core.parameters import MUSCLES
-from ..core.schema import build
-from ..core.source_text import SourceText
-from ..core.toml import read_tables
 from ..errors import InputError, ParameterError, unknown
+from ..reading.schema import build
+from ..reading.source_text import SourceText
+from ..reading.toml import read_tables
 from .emotions import HAND_OFFSET, HAND_ONSET, Emotion, emotion_tables, emotions_in_force, shipped_emotions
 from .fuzzy import fuzzy_table
 from .lips import LIPS_FILE, NAMED_TABLES, LipTable, lip_table_of, lip_table_text

@@ -9,9 +9,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ..core.hints import Range
-from ..core.toml import written
 from ..errors import ParameterError, unknown
+from ..reading.hints import Range
+from ..reading.toml import written
 from .profiles import Profile, profile, profile_from, profile_texts
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from ..core.frozen import FrozenDict
 from ..core.utterance import Accent, PauseKind, Question
+from ..reading.frozen import FrozenDict
 from .rule import Level, Position, TurnState
 from .synchrony import synchrony
 

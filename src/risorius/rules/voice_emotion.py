@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Annotated
 
-from ..core.hints import Range
 from ..core.manner import PLAIN, Manner
+from ..reading.hints import Range
 from .emotions import emotion
 from .load import load
 

@@ -11,8 +11,8 @@ from bisect import bisect_right
 from dataclasses import dataclass
 from xml.parsers import expat
 
-from ..core.depth import MAX_DEPTH, TOO_DEEP
 from ..errors import InputError, Place
+from ..reading.depth import MAX_DEPTH, TOO_DEEP
 from .quote import one_line, quoted
 
 MAX_BYTES = 2_000_000

@@ -15,12 +15,12 @@ from typing import Annotated, Any
 import numpy as np
 
 from ..core.audio import Samples
-from ..core.frozen import FrozenDict
-from ..core.hints import Range
-from ..core.schema import build
-from ..core.source_text import SourceText, Syntax
 from ..errors import InputError, unknown
-from ..web.json_object import json_object, without_nulls
+from ..reading.frozen import FrozenDict
+from ..reading.hints import Range
+from ..reading.json_object import json_object, without_nulls
+from ..reading.schema import build
+from ..reading.source_text import SourceText, Syntax
 from . import limits
 
 VERSION = 1

@@ -9,12 +9,12 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from ..core.audio import AudioWriter
-from ..core.schema import MisfitError
 from ..errors import RisoriusError
 from ..ports.atomic import replacing
 from ..ports.layout import write_json
 from ..ports.readable import ScoreFile
 from ..ports.score_json import score_to_json
+from ..reading.schema import MisfitError
 from .messages import encoded, read_message
 from .project import Opened, ProjectVersion, SavedEdits, SavedLost, SavedMade, header, version_of
 from .scores import parsed, read_score

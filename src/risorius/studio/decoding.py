@@ -6,11 +6,11 @@ import re
 from dataclasses import dataclass
 from typing import Any
 
-from ..core.schema import build
-from ..core.source_text import SourceText, Syntax
 from ..core.units import Seconds
 from ..errors import InputError, RisoriusError, unknown
-from ..web.json_object import json_object, without_nulls
+from ..reading.json_object import json_object, without_nulls
+from ..reading.schema import build
+from ..reading.source_text import SourceText, Syntax
 from .request_table import EDITING, VERBS
 from .wire.requests import EDITS, Preview
 

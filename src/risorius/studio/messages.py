@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
 from typing import Any, TypeVar, cast
 
-from ..core.schema import converter
-from ..web.json_object import without_nulls
+from ..reading.json_object import without_nulls
+from ..reading.schema import converter
 from .wire.events import EVENTS
 
 T = TypeVar("T")

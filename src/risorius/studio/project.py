@@ -20,12 +20,12 @@ import soundfile
 
 from ..core.audio import Audio, AudioWriter
 from ..core.edits import Add, Edit, Keys
-from ..core.hints import Then
-from ..core.schema import placed, within
 from ..core.utterance import Utterance
 from ..errors import InputError
 from ..ports.readable import ScoreFile
 from ..ports.score_json import ScoreDocument, score_to_json
+from ..reading.hints import Then
+from ..reading.schema import placed, within
 from ..take import with_profile
 from .choices import settings_of
 from .messages import encoded, read_message

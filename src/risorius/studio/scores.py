@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from ..core.json_text import JsonDocument, parse_json
-from ..core.schema import placed
 from ..core.score import BlendSettings
 from ..core.setting import rows
 from ..errors import InputError, Place
 from ..ports.readable import ScoreFile
 from ..ports.score_json import ScoreDocument
+from ..reading.json_text import JsonDocument, parse_json
+from ..reading.schema import placed
 from ..settings import BlendChoices
 from .wire.shared import Choices
 

@@ -15,9 +15,9 @@ from pathlib import Path
 from typing import TypeVar
 
 from ..core.action_units import resolve_targets
-from ..core.json_text import load_json
 from ..errors import InputError, RisoriusError, unknown
 from ..ports.atomic import replacing
+from ..reading.json_text import load_json
 from ..rules.emotions import emotion, emotion_key, emotion_names, emotion_text
 from ..script.read import RECORDING_SUFFIXES
 from ..speech.recordings.recording import read_recording

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.core.toml import parse
 from risorius.errors import InputError
+from risorius.reading.toml import parse
 from risorius.speech.prosody.priors import NormalPrior, priors
 from risorius.speech.prosody.running import RunningNormal, RunningRange, known_voice, unknown_speaker
 

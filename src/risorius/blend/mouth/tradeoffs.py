@@ -7,10 +7,10 @@ from functools import lru_cache
 from importlib import resources
 from typing import Annotated
 
-from ...core.hints import Range
-from ...core.toml import parse
 from ...core.units import ContactSeconds, GapMillimetres, Share
 from ...errors import InputError, unknown
+from ...reading.hints import Range
+from ...reading.toml import parse
 
 NAME = "tradeoffs.toml"
 DEMANDS = ("opening", "rounding", "tuck", "seal")

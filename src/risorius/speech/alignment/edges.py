@@ -20,10 +20,10 @@ from pathlib import Path
 import numpy as np
 
 from ...core.arrays import AnyArray, Array, Int64Array
-from ...core.frozen import FrozenDict
 from ...core.npz import read_arrays
 from ...errors import InputError
 from ...languages.phones import SoundClass, inventory
+from ...reading.frozen import FrozenDict
 from .spectra import BANDS, STEP_SECONDS
 
 # Candidates to either side of a corrected edge, in steps of 2.5 ms.

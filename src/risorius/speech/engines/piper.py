@@ -16,10 +16,10 @@ from typing import Any
 
 import numpy as np
 
-from ...core.json_text import load_json
 from ...core.paths import is_file
 from ...errors import InputError, Place, SpeechError
 from ...machine import programs
+from ...reading.json_text import load_json
 from .program import LONGEST_ANSWER, ProgramEngine, referred
 from .protocol import Rendition, SpeechEngine, SpeechRequest
 from .reference import warped

@@ -19,11 +19,11 @@ from typing import Any
 import numpy as np
 
 from ...core.audio import Samples
-from ...core.depth import TOO_DEEP, is_too_deep
 from ...core.utterance import SILENCE
 from ...errors import SpeechError, SpeechWarning, warn
 from ...languages import language_of, phonesets
 from ...machine import programs
+from ...reading.depth import TOO_DEEP, is_too_deep
 from ...rules.articulation import is_known
 from .mnemonics import to_arpabet
 from .protocol import Rendition, SpeechEngine, SpeechRequest, SpokenPhone, Voice

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from importlib import resources
 from typing import Annotated
 
-from ...core.hints import Range
-from ...core.toml import parse
 from ...core.units import Share
+from ...reading.hints import Range
+from ...reading.toml import parse
 
 Deviation = Annotated[float, Range(0.01, 20.0)]
 

@@ -7,7 +7,7 @@ import math
 from dataclasses import dataclass, field
 from importlib import resources
 
-from ...core.toml import parse
+from ...reading.toml import parse
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,9 +11,9 @@ from typing import Annotated, TypeVar
 import numpy as np
 
 from ...core.arrays import Array
-from ...core.hints import Range
 from ...core.utterance import Utterance
 from ...errors import InputError, SpeechWarning, warn
+from ...reading.hints import Range
 
 SHORTEST = 0.01
 """Seconds that an edge leaves of the phones on both of its sides."""

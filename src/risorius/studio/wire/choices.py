@@ -10,8 +10,8 @@ from collections.abc import Iterator
 from dataclasses import field, make_dataclass
 from typing import Annotated, Any
 
-from ...core.hints import Range
 from ...core.setting import Row, Stage, ValueKind, rows
+from ...reading.hints import Range
 from ...settings import Settings
 
 EXPORTED = (Stage.PICTURE, Stage.OUTPUT)

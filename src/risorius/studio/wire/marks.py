@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from ...core.channels import CHANNELS
-from ...core.hints import Then
 from ...core.units import Seconds
 from ...errors import InputError
+from ...reading.hints import Then
 
 MOST_MARKERS = 500
 LONGEST_TEXT = 120

@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Annotated, Any, Literal, cast
 
 from ...core.edits import Add, ClearKeys, Delete, Edit, Keys, Move, Retarget, Stretch
-from ...core.hints import Range, Then
-from ...core.schema import converter
 from ...core.units import Seconds, Share
 from ...errors import InputError, unknown
+from ...reading.hints import Range, Then
+from ...reading.schema import converter
 from .choices import export_class
 from .marks import LaneStates, Markers
 from .shared import Choices, EmotionSpan, Source, Whole

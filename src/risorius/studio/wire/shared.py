@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from ...core.hints import Range
 from ...core.units import Seconds, Share
+from ...reading.hints import Range
 from ...speech.structure.edges_moved import EdgeShift
 from .choices import choices_class
 

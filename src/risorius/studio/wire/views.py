@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Literal, TypeVar
 
-from ...core.hints import Range, Then
 from ...core.units import Seconds
 from ...errors import InputError
+from ...reading.hints import Range, Then
 
 MOST_NAMES = 200
 LONGEST_NAME = 60

@@ -11,11 +11,11 @@ from typing import Annotated, Literal
 
 import pytest
 
-from risorius.core import json_text
-from risorius.core.hints import ChooseType, Numbers, Range, Then
-from risorius.core.json_text import load_json, parse_json
-from risorius.core.schema import MisfitError
 from risorius.errors import InputError, ParameterError
+from risorius.reading import json_text
+from risorius.reading.hints import ChooseType, Numbers, Range, Then
+from risorius.reading.json_text import load_json, parse_json
+from risorius.reading.schema import MisfitError
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ import pickle
 
 import pytest
 
-from risorius.core.frozen import FrozenDict
+from risorius.reading.frozen import FrozenDict
 
 TABLE: FrozenDict[str, float] = FrozenDict({"jaw": 1.0})
 

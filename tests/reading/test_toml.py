@@ -7,7 +7,7 @@ import tomllib
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.core.toml import written
+from risorius.reading.toml import written
 
 text = st.text('aB7-_. "\\\n\t\x00\x7f=#[]é𝄞', max_size=8)
 scalar = st.one_of(

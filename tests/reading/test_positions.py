@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.core.positions import KeyPath, json_position, toml_position
-from risorius.core.toml import written
+from risorius.reading.positions import KeyPath, json_position, toml_position
+from risorius.reading.toml import written
 
 TOML = '''# a = [1]
 a = 1

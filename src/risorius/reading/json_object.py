@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from ..core.depth import TOO_DEEP, is_too_deep
-from ..core.json_text import HALF_A_CHARACTER, is_unicode
 from ..errors import InputError
+from .depth import TOO_DEEP, is_too_deep
+from .json_text import HALF_A_CHARACTER, is_unicode
 
 
 def json_object(text: str) -> dict[str, Any]:

@@ -8,9 +8,9 @@ from typing import Annotated, Literal
 
 import pytest
 
-from risorius.core.hints import Range
-from risorius.core.toml import load_file, parse
 from risorius.errors import InputError, ParameterError
+from risorius.reading.hints import Range
+from risorius.reading.toml import load_file, parse
 
 
 class Colour(StrEnum):
