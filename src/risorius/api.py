@@ -10,11 +10,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .core.movement import Cause, ManualCurve
-from .core.paths import is_file, path_of
 from .core.performance import announced
 from .core.progress import Progress, quiet
 from .core.score import BlendSettings, Score
 from .errors import InputError, Place, UnusedSettingError, check_number
+from .machine.paths import is_file, path_of
 from .pipeline import combine, perform
 from .ports.performance_json import read_performance_file
 from .ports.score_json import read_score_file
@@ -210,7 +210,7 @@ def rig(
     """
     from .face.arkit_fit import ArkitFit
     from .face.head import head_of
-    from .ports.atomic import replacing
+    from .machine.atomic import replacing
     from .ports.glb_file import save_glb
     from .ports.rig import animated, check_performable, read_rig, report
 

@@ -10,9 +10,9 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from .core.garbage import collect_seldom
-from .core.processes import processors
 from .errors import RisoriusError, warn, warnings_to
+from .machine.garbage import collect_seldom
+from .machine.processes import processors
 from .machine.workers import Worker, WorkerError
 
 if TYPE_CHECKING:

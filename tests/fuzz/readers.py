@@ -14,12 +14,12 @@ from PIL import Image
 
 from risorius.api import load, mix
 from risorius.batches.manifest import Manifest
-from risorius.core.npz import read_arrays
 from risorius.errors import HeadError, RisoriusError
 from risorius.face.head_file import HeadFile
 from risorius.face.identity import read_identity
 from risorius.face.links import LinkTable
 from risorius.face.muscle_table import load_muscles
+from risorius.machine.npz import read_arrays
 from risorius.ports.arkit_csv import COLUMNS as ARKIT_COLUMNS
 from risorius.ports.arkit_csv import read_arkit_csv
 from risorius.ports.au_csv import read_au_csv

@@ -52,7 +52,7 @@ PACKAGE_TABLES = {
 PARSERS = {
     "batches/manifest": ".manifest.csv .jsonl",
     "reading/json_text": ".json .journal.jsonl .performance.json .glb",
-    "core/npz": ".npz .head.npz",
+    "machine/npz": ".npz .head.npz",
     "reading/toml": ".rules.toml .config.toml",
     "live/services": ".elevenlabs .cartesia .azure",
     "ports/capture": ".au.csv .arkit.csv",
@@ -72,7 +72,7 @@ PARSERS = {
 OURS = {
     "batches/report": "its own database",
     "core/audio": "sound that we wrote",
-    "core/cache_folder": "digests of the kernels that we built",
+    "machine/cache_folder": "digests of the kernels that we built",
     "core/pcm": "samples, of which all bytes are right",
     "reading/positions": "keys that were parsed before",
     "face/regions": "the bytes of its own table",

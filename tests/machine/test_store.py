@@ -14,10 +14,9 @@ from pathlib import Path
 
 import pytest
 
-from risorius.core import cache_folder
 from risorius.errors import RisoriusError
 from risorius.face.links import _apply
-from risorius.machine import store
+from risorius.machine import cache_folder, store
 from risorius.machine.build import import_all
 from risorius.machine.declared import kernels
 

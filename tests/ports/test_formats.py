@@ -119,7 +119,7 @@ check_targets(["x.mp4", "x.glb", "x.arkit.csv"])
 writers = [name for name in sys.modules if name.startswith("risorius.ports.")]
 print(*sorted({"numpy", "numba", "scipy", "PIL"} & set(sys.modules)), *sorted(writers))
 """
-    expected = [f"risorius.ports.{name}" for name in ("atomic", "formats", "targets", "writable")]
+    expected = [f"risorius.ports.{name}" for name in ("formats", "targets", "writable")]
     assert _run(program).split() == expected
 
 

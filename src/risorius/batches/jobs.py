@@ -8,8 +8,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from ..api import displays_of
-from ..core.paths import is_utf8
 from ..errors import InputError, Place, RisoriusError, UnusedSettingError
+from ..machine.paths import is_utf8
 from ..ports.targets import Target, check_alpha
 from ..rules.emotions import Displays
 from ..rules.profiles import attitude

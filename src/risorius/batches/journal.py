@@ -13,9 +13,9 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import IO
 
-from ..core.file_lock import lock
 from ..errors import InputError, OutputError, Place
-from ..ports.atomic import os_failure
+from ..machine.atomic import os_failure
+from ..machine.file_lock import lock
 from ..reading.json_text import parse_json
 from .fingerprint import FileRecord
 from .outcome import Outcome

@@ -15,8 +15,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from ..core.paths import exists, is_utf8
 from ..errors import InputError, Place, RisoriusError
+from ..machine.paths import exists, is_utf8
 from ..reading.json_text import parse_json
 from ..script.read import RECORDING_SUFFIXES
 

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
-from ..core.paths import is_utf8
 from ..errors import InputError, OutputError, Place
+from ..machine.paths import is_utf8
 from ..ports.formats import FileFormat, format_for
 from .places import local_path
 

@@ -28,7 +28,7 @@ LONGEST_SHOWN = 240  # characters of a line's text
 
 def perform_line(job: BatchJob, run: str = "") -> Outcome:
     """Perform a line and write its files; an error goes into the outcome. `run` names temporary files."""
-    from ..ports.atomic import temporaries_of
+    from ..machine.atomic import temporaries_of
     from ..speech.alignment.doubt import doubt_to
 
     start = time.process_time()
@@ -98,7 +98,7 @@ def write_sheet(take: Take, path: str) -> None:
     import numpy as np
     from PIL import Image
 
-    from ..ports.atomic import replacing
+    from ..machine.atomic import replacing
 
     camera = "close-up" if take.settings.look.camera == "portrait" else take.settings.look.camera
     look = replace(take.settings.look, quality="draft", overlay=(), camera=camera)

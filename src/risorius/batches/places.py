@@ -86,7 +86,7 @@ def make_folder(name: str) -> None:
     try:
         Path(name).parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        from ..ports.atomic import os_failure
+        from ..machine.atomic import os_failure
 
         raise os_failure(Path(name).parent, error) from None
 

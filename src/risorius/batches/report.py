@@ -10,7 +10,7 @@ from pathlib import Path
 from urllib.parse import quote
 
 from ..errors import Place
-from ..ports.atomic import replacing
+from ..machine.atomic import replacing
 from ..speech.alignment.doubt import OWN
 from .outcome import LineResult, LineState, Outcome
 from .places import is_remote

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import IO
 
 from ..errors import DiskFullError, InputError, Place, RisoriusError
-from ..ports.atomic import os_failure, remove_temporaries
+from ..machine.atomic import os_failure, remove_temporaries
 from .executors import BatchExecutor
 from .fingerprint import FileRecord, fingerprint
 from .jobs import BatchJob, JobMaker, at_row, check_job

@@ -13,9 +13,9 @@ from pathlib import Path
 import click
 
 from .. import __version__
-from ..core.garbage import collect_no_more, collect_seldom
-from ..core.paths import is_file
 from ..errors import LONGEST_LINE, Place, RisoriusError, UnusedSettingError, nearest, printable, shortened
+from ..machine.garbage import collect_no_more, collect_seldom
+from ..machine.paths import is_file
 from .align import align
 from .batch import batch
 from .console import EXIT_INTERRUPTED, interrupt

@@ -18,8 +18,8 @@ from scipy.sparse.linalg import splu
 from scipy.spatial.distance import cdist
 
 from ..core.arrays import Array, Int32Array, IntArray
-from ..core.npz import read_arrays
 from ..errors import HeadError, Place
+from ..machine.npz import read_arrays
 from .muscle_table import FILE as TABLE
 from .muscle_table import ForceType, Muscle
 from .quads import quad_normals

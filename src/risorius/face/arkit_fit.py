@@ -19,8 +19,8 @@ import numpy as np
 
 from ..core.arkit import EXCLUSIVE, INDEX, OPPOSED, SHAPES
 from ..core.arrays import Array, BoolArray, FloatArray
-from ..core.blas import one_thread
 from ..core.parameters import INDEX as PARAMETER
+from ..machine.blas import one_thread
 from .arkit_direct import DIRECT, direct_weights
 from .eyes import pitch_and_yaw
 from .far_vertices import FAR, FarVertices, lengths, within_leeway

@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 import scipy.sparse as sp
 
-from ..core.array_cache import cached_arrays
 from ..core.arrays import AnyArray, Array, IndexArray, UInt32Array, UIntArray
+from ..machine.array_cache import cached_arrays
 from ..machine.jit import device, kernel
 from .head import Head
 from .marks import smooth

@@ -16,9 +16,9 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..core.array_cache import cached_arrays
 from ..core.arrays import AnyArray, Array, BoolArray, Int32Array, IntArray, UInt32Array
 from ..core.mesh_sides import unique_pairs
+from ..machine.array_cache import cached_arrays
 from ..machine.jit import kernel
 from .head import Head
 from .muscles import fields_of

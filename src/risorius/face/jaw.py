@@ -11,9 +11,9 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..core.array_cache import cached_arrays
 from ..core.arrays import Array, FloatArray
 from ..core.parameters import INDEX
+from ..machine.array_cache import cached_arrays
 from ..machine.jit import kernel
 from .head import Head
 from .rotations import about_axis, turned

@@ -9,10 +9,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..core.array_cache import cached_arrays
 from ..core.arrays import Array
 from ..core.units import Share
 from ..errors import InputError, unknown
+from ..machine.array_cache import cached_arrays
 from ..reading.toml import package_text, parse_rows
 from .compression import Zone
 from .head import Head

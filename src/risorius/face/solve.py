@@ -15,9 +15,9 @@ import numpy as np
 import numpy.typing as npt
 
 from ..core.arrays import Array
-from ..core.blas import one_thread
 from ..core.parameters import INDEX, PARAMETERS, check_value
 from ..errors import ParameterError
+from ..machine.blas import one_thread
 from .ageing import DEFAULT_AGE
 from .biphasic import Biphasic
 from .crowding import Crowding

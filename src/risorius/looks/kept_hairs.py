@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ..core.array_cache import cached_arrays
 from ..core.arrays import AnyArray
+from ..machine.array_cache import cached_arrays
 from .strands import Strands
 
 _FIELDS = tuple(field.name for field in fields(Strands))

@@ -16,7 +16,7 @@ from collections.abc import Iterator, Sequence
 from importlib import import_module
 from pathlib import Path
 
-from ..core import cache_folder
+from . import cache_folder
 from .declared import kernels
 from .digest import digest, reached
 from .files import file_name, of_packages

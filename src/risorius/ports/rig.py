@@ -12,7 +12,6 @@ import numpy as np
 
 from ..core.arkit import INDEX, SHAPES
 from ..core.arrays import Array, Float32Array
-from ..core.blas import one_thread
 from ..core.parameters import INDEX as PARAMETER
 from ..core.parameters import NEUTRAL
 from ..errors import InputError, Place, unknown
@@ -20,6 +19,7 @@ from ..face.arkit_fit import ArkitFit, ArkitTrack
 from ..face.head import Head
 from ..face.response import FITTED
 from ..face.solve import FaceSolver
+from ..machine.blas import one_thread
 from ..reading.source_text import SourceText
 from ..reading.toml import parse, read_text
 from .glb_file import GlbFile, read_glb

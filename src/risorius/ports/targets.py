@@ -9,10 +9,10 @@ from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from ..core.blas import one_thread
-from ..core.paths import is_folder, path_of
 from ..errors import OutputError, Place
-from .atomic import os_failure, replacing
+from ..machine.atomic import os_failure, replacing
+from ..machine.blas import one_thread
+from ..machine.paths import is_folder, path_of
 from .formats import FORMATS, FileFormat, Need, format_for
 from .writable import WritableTake, WriteOptions
 

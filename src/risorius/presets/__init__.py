@@ -12,9 +12,9 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
-from ..core.paths import path_of
 from ..core.setting import Row, rows
 from ..errors import ParameterError, RisoriusError, unknown
+from ..machine.paths import path_of
 from ..reading.frozen import FrozenDict
 from ..reading.hints import shown
 from ..reading.source_text import SourceText

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..core.array_cache import cached_arrays
 from ..core.arrays import ByteArray, Float32Array
 from ..core.look import ByteColour, parse_colour
-from ..core.paths import is_file
 from ..errors import InputError, Place
 from ..looks.srgb import srgb_decode
+from ..machine.array_cache import cached_arrays
+from ..machine.paths import is_file
 
 if TYPE_CHECKING:
     from PIL.Image import Image

@@ -6,13 +6,13 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from ..core.array_cache import cached_arrays
 from ..core.arrays import Array, Float32Array, Int32Array, IntArray
 from ..face.head import Head
 from ..face.layouts import Dimples, Fold
 from ..face.marks import Marks
 from ..face.regions import PlacedRegion, place_regions
 from ..looks.noise import noise_at
+from ..machine.array_cache import cached_arrays
 from ..machine.jit import f4, i4, kernel
 
 LINES, FOLD, DIMPLES = 0, 1, 2

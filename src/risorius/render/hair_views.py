@@ -12,9 +12,9 @@ from copy import copy
 
 import numpy as np
 
-from ..core.array_cache import cached_arrays
 from ..core.arrays import Array, Float32Array, FloatArray, Int8Array, Int32Array
 from ..looks.attributes import HAIR
+from ..machine.array_cache import cached_arrays
 from .camera import Camera, project
 from .ribbons import NOTHING, WHOLE
 from .scene import HeadScene, ShownHair

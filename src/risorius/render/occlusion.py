@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..core.array_cache import cached_arrays
 from ..core.arrays import Array, ByteArray, Float32Array, FloatArray, Int32Array
+from ..machine.array_cache import cached_arrays
 from ..machine.jit import f4, kernel
 from .shadow import flatten, light_matrix, transform
 from .visibility import Visibility

@@ -10,7 +10,7 @@ from types import TracebackType
 from typing import Self
 
 from ..core.arrays import ByteArray
-from ..core.processes import processors
+from ..machine.processes import processors
 from .protocol import PictureInput
 from .software_renderer import SoftwareRenderer
 

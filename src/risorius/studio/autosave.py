@@ -10,7 +10,7 @@ from pathlib import Path
 
 from ..core.audio import AudioWriter
 from ..errors import RisoriusError
-from ..ports.atomic import replacing
+from ..machine.atomic import replacing
 from ..ports.layout import write_json
 from ..ports.readable import ScoreFile
 from ..ports.score_json import score_to_json

@@ -12,7 +12,7 @@ from pathlib import Path
 from ..core.look import TRANSPARENT, parse_colour
 from ..core.progress import Progress
 from ..errors import InputError
-from ..ports.atomic import replacing
+from ..machine.atomic import replacing
 from ..ports.formats import FORMATS
 from ..ports.targets import check_targets
 from ..settings import Settings, settings_of

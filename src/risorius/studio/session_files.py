@@ -16,7 +16,7 @@ from typing import TypeVar
 
 from ..core.action_units import resolve_targets
 from ..errors import InputError, RisoriusError, unknown
-from ..ports.atomic import replacing
+from ..machine.atomic import replacing
 from ..reading.json_text import load_json
 from ..rules.emotions import emotion, emotion_key, emotion_names, emotion_text
 from ..script.read import RECORDING_SUFFIXES

@@ -11,7 +11,7 @@ import pytest
 
 from risorius.core.arrays import ByteArray
 from risorius.errors import OutputError, RisoriusWarning
-from risorius.ports.atomic import replacing
+from risorius.machine.atomic import replacing
 from risorius.ports.targets import check_targets, write_targets
 from risorius.ports.video.encoder import VideoEncoder
 from risorius.ports.video.film import write_film

@@ -20,9 +20,9 @@ from pathlib import Path
 import numpy as np
 
 from ...core.arrays import AnyArray, Array, Int64Array
-from ...core.npz import read_arrays
 from ...errors import InputError
 from ...languages.phones import SoundClass, inventory
+from ...machine.npz import read_arrays
 from ...reading.frozen import FrozenDict
 from .spectra import BANDS, STEP_SECONDS
 

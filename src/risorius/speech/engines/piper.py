@@ -16,9 +16,9 @@ from typing import Any
 
 import numpy as np
 
-from ...core.paths import is_file
 from ...errors import InputError, Place, SpeechError
 from ...machine import programs
+from ...machine.paths import is_file
 from ...reading.json_text import load_json
 from .program import LONGEST_ANSWER, ProgramEngine, referred
 from .protocol import Rendition, SpeechEngine, SpeechRequest

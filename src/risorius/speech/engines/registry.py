@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from ...core.paths import is_file
 from ...core.registry import Registry
 from ...errors import SpeechError
+from ...machine.paths import is_file
 from .protocol import SpeechEngine
 
 # Engines by name; each entry makes (or returns) the engine.

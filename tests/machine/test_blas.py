@@ -1,7 +1,7 @@
 import numpy as np
 from threadpoolctl import threadpool_info, threadpool_limits
 
-from risorius.core.blas import one_thread
+from risorius.machine.blas import one_thread
 
 
 def threads() -> set[int]:

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from risorius.core import cache_folder
 from risorius.errors import RisoriusWarning
+from risorius.machine import cache_folder
 
 
 @pytest.fixture(autouse=True)

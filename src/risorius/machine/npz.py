@@ -10,7 +10,7 @@ from typing import IO
 
 import numpy as np
 
-from .arrays import AnyArray
+from ..core.arrays import AnyArray
 
 LARGEST = 64_000_000
 """Bytes of the arrays of an archive: a head has less than one million."""

@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from ..core.arrays import AnyArray
 from . import cache_folder
-from .arrays import AnyArray
 from .npz import read_arrays
 
 MOST_FILES = (

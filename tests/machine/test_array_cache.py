@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from risorius.core import array_cache as module
-from risorius.core.array_cache import cached_arrays
 from risorius.errors import RisoriusWarning
+from risorius.machine import array_cache as module
+from risorius.machine.array_cache import cached_arrays
 
 GIVEN = [np.arange(3.0), np.eye(2, dtype=np.float32)]
 FOUND = (np.array([1.5, np.nan]), np.arange(4, dtype=np.int32).reshape(2, 2))

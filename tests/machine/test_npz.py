@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from risorius.core.npz import read_arrays
+from risorius.machine.npz import read_arrays
 
 
 def test_what_is_no_archive_is_an_error(tmp_path):

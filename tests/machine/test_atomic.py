@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from risorius.errors import OutputError
-from risorius.ports.atomic import replacing
+from risorius.machine.atomic import replacing
 
 
 class Stop(BaseException):
@@ -34,7 +34,7 @@ def test_an_interrupt_at_the_moment_of_creation_leaves_nothing(
         close(file)
         raise Stop
 
-    monkeypatch.setattr("risorius.ports.atomic.os.close", close_and_stop)
+    monkeypatch.setattr("risorius.machine.atomic.os.close", close_and_stop)
     with pytest.raises(Stop), replacing(tmp_path / "x.txt"):
         pass
     monkeypatch.undo()

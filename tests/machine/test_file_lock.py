@@ -9,7 +9,7 @@ from types import ModuleType, SimpleNamespace
 
 import pytest
 
-from risorius.core import file_lock
+from risorius.machine import file_lock
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="has other locks")
