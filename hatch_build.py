@@ -39,5 +39,5 @@ class KernelBuildHook(BuildHookInterface[Any]):  # type: ignore[misc]  # hatchli
     def _compile(self, sources: Path, folder: Path, *options: str) -> None:
         """Compile in a process that finds the sources, and what this one finds."""
         paths = os.pathsep.join([str(sources), *filter(None, sys.path)])
-        command = [sys.executable, "-m", "risorius.machine.build", str(folder), *options]
+        command = [sys.executable, "-m", "risorius.machine.kernels.build", str(folder), *options]
         subprocess.run(command, env={**os.environ, "PYTHONPATH": paths}, cwd=self.root, check=True)

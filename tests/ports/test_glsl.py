@@ -6,8 +6,8 @@ import math
 
 import pytest
 
-from risorius.machine.jit import f4
-from risorius.machine.vec import Vec, along, dot, smooth
+from risorius.machine.kernels.jit import f4
+from risorius.machine.kernels.vec import Vec, along, dot, smooth
 from risorius.ports.glsl import glsl_of
 from risorius.ports.skin_formulas import shading
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..core.arrays import Array, IndexArray, UInt32Array
 from ..core.mesh_sides import edges
-from ..machine.jit import kernel
+from ..machine.kernels.jit import kernel
 from .head import Field, Head
 from .muscles import MuscleFields, fields_of
 from .network import Network, pull

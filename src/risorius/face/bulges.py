@@ -13,7 +13,7 @@ from functools import lru_cache
 import numpy as np
 
 from ..core.arrays import Array, UInt32Array
-from ..machine.jit import device, kernel
+from ..machine.kernels.jit import device, kernel
 from ..reading.frozen import FrozenDict
 from ..reading.toml import package_text, parse_rows
 from .compression import Compression, Zone

@@ -15,7 +15,7 @@ import scipy.sparse as sp
 
 from ..core.arrays import AnyArray, Array, IndexArray, UInt32Array, UIntArray
 from ..machine.array_cache import cached_arrays
-from ..machine.jit import device, kernel
+from ..machine.kernels.jit import device, kernel
 from .head import Head
 from .marks import smooth
 from .products import short

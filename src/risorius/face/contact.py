@@ -13,7 +13,7 @@ from typing import Annotated, NamedTuple
 import numpy as np
 
 from ..core.arrays import Array, BoolArray, Int32Array, IntArray
-from ..machine.jit import device, i8, kernel
+from ..machine.kernels.jit import device, i8, kernel
 from .fours import LANES
 
 Grid = tuple[float, float, float, float]

@@ -11,7 +11,7 @@ import math
 import numpy as np
 
 from ..core.arrays import Array, UIntArray
-from ..machine.jit import device, index
+from ..machine.kernels.jit import device, index
 
 LANES = 4
 Four = tuple[float, float, float, float]

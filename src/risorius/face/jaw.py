@@ -14,7 +14,7 @@ import numpy as np
 from ..core.arrays import Array, FloatArray
 from ..core.parameters import INDEX
 from ..machine.array_cache import cached_arrays
-from ..machine.jit import kernel
+from ..machine.kernels.jit import kernel
 from .head import Head
 from .rotations import about_axis, turned
 from .throat import uncrowd

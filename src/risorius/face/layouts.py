@@ -14,7 +14,7 @@ import numpy as np
 from ..core.arrays import Array, Int64Array
 from ..core.units import Share
 from ..errors import InputError
-from ..machine.jit import kernel
+from ..machine.kernels.jit import kernel
 from ..reading.hints import Range, Then
 from .marks import Marks, plateau, ripple, smooth
 

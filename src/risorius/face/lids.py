@@ -19,7 +19,7 @@ import scipy.sparse as sp
 
 from ..core.arrays import Array, Int32Array
 from ..core.parameters import INDEX
-from ..machine.jit import device, kernel
+from ..machine.kernels.jit import device, kernel
 from .head import Head
 from .plate import nearby, response
 from .products import SparseRows, carry

@@ -18,7 +18,7 @@ import numpy as np
 from ..core.arrays import Array, UInt32Array
 from ..core.links import Link
 from ..core.parameters import INDEX
-from ..machine.jit import kernel
+from ..machine.kernels.jit import kernel
 from ..reading.toml import load_file
 
 FILE = "links.toml"

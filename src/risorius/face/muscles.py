@@ -18,7 +18,7 @@ import numpy as np
 from ..core.arrays import Array, ByteArray, IndexArray, IntArray, UInt32Array, UInt64Array
 from ..core.parameters import INDEX, PARAMETERS
 from ..errors import HeadError
-from ..machine.jit import device, kernel
+from ..machine.kernels.jit import device, kernel
 from .activations import YIELDS, Yields, activate, yields_of
 from .fours import (
     LANES,

@@ -16,7 +16,7 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arrays import Array, BoolArray, IndexArray, UInt32Array
-from ..machine.jit import device, i8, kernel
+from ..machine.kernels.jit import device, i8, kernel
 from .cholesky import Factor, sparing_order
 from .fours import added_times, gathered, set_row
 from .fours import row as row_at

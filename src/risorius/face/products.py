@@ -11,7 +11,7 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arrays import AnyArray, Array, FloatArray, IntArray, UInt32Array, UIntArray
-from ..machine.jit import device, kernel
+from ..machine.kernels.jit import device, kernel
 from .fours import added_times, four, row, set_row
 
 

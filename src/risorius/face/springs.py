@@ -13,7 +13,7 @@ import numpy as np
 
 from ..core.arrays import Array, IndexArray, UInt32Array, UIntArray
 from ..core.parameters import NAMES
-from ..machine.jit import device, kernel
+from ..machine.kernels.jit import device, kernel
 from .biphasic import Biphasic
 from .cholesky import substitute
 from .links import NO_LINKS, Links

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..core.arrays import Array, IndexArray, IntArray, UInt32Array
-from ..machine.jit import device, kernel
+from ..machine.kernels.jit import device, kernel
 from .crowding import struts
 from .head import Head
 from .jaw import Jaw

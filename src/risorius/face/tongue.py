@@ -13,7 +13,7 @@ import scipy.sparse as sp
 
 from ..core.arrays import Array, IndexArray
 from ..core.parameters import INDEX
-from ..machine.jit import kernel
+from ..machine.kernels.jit import kernel
 from .head import TONGUE_FIELDS, Head
 from .jaw import Jaw
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
 from ..core.arrays import Array, IndexArray
-from ..machine.jit import device
+from ..machine.kernels.jit import device
 from .head import TeethMesh
 
 ANGLES, HALF_TURN = 91, 2.2  # columns of the tables, and the radians that they span on either side

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..core.arrays import Array, Float32Array, IntArray, UInt32Array
 from ..core.parameters import INDEX, parameters_named
-from ..machine.jit import device, kernel
+from ..machine.kernels.jit import device, kernel
 from .ageing import DEFAULT_AGE, SkinAge, skin_at
 from .bulges import Bulges
 from .compression import Compression

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..core.arrays import Array, ByteArray, Float32Array, Int32Array
 from ..core.look import ByteColour
-from ..machine.jit import f4
+from ..machine.kernels.jit import f4
 from .noise import noise_at
 from .srgb import linear, srgb_decode, srgb_encode
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import Array
-from ..machine.jit import f4
+from ..machine.kernels.jit import f4
 from .anatomy import Anatomy, smoothstep
 
 COLLAR = f4(13)  # mm: width of the collar

@@ -11,7 +11,7 @@ from ..core.arrays import Array, BoolArray, Float32Array, IndexArray, Int64Array
 from ..core.parameters import INDEX, MUSCLES
 from ..face.head import Head, load_head
 from ..face.muscle_table import Muscle
-from ..machine.jit import f4
+from ..machine.kernels.jit import f4
 from .anatomy import Anatomy, find_anatomy
 from .parts import skin_surface
 from .surface import unit

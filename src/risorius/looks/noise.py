@@ -11,7 +11,7 @@ from functools import lru_cache
 import numpy as np
 
 from ..core.arrays import Array, Float32Array, FloatArray
-from ..machine.jit import f8, i8, index, kernel
+from ..machine.kernels.jit import f8, i8, index, kernel
 
 SIZE = 64
 MASK = index(SIZE - 1)

@@ -7,8 +7,8 @@ from copy import copy
 import numpy as np
 
 from ..core.arrays import Float32Array, Int32Array, IntArray
-from ..machine.jit import f4, kernel
-from ..machine.vec import at, cross, sub, unit
+from ..machine.kernels.jit import f4, kernel
+from ..machine.kernels.vec import at, cross, sub, unit
 
 
 @kernel("f4[:, :], i4[:, :], f4[:, :]")

@@ -23,8 +23,8 @@ from ..face.head import Head
 from ..face.identity import Looks
 from ..face.products import SparseRows
 from ..face.regions import place_regions
-from ..machine.jit import f4, kernel
-from ..machine.vec import at, cross, dot, sub
+from ..machine.kernels.jit import f4, kernel
+from ..machine.kernels.vec import at, cross, dot, sub
 from .anatomy import smoothstep
 from .attributes import ALBEDO
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from ..machine.jit import device, f4
-from ..machine.vec import Vec, add, dot, saturate
+from ..machine.kernels.jit import device, f4
+from ..machine.kernels.vec import Vec, add, dot, saturate
 
 _PI = f4(3.14159265)
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..core.arrays import Array, Float32Array, Int32Array
 from ..errors import InputError
-from ..machine.jit import device, f4, i4, kernel
+from ..machine.kernels.jit import device, f4, i4, kernel
 from .raster import SUBPIXEL
 
 Coordinates = tuple[float, float, float]

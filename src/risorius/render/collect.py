@@ -7,8 +7,8 @@ middle. Smooth skin costs one evaluation for each pixel; a pixel on an outline c
 from __future__ import annotations
 
 from ..core.arrays import Float32Array, Int32Array
-from ..machine.jit import device, f4, f8, index
-from ..machine.vec import Vec, at, dot, saturate
+from ..machine.kernels.jit import device, f4, f8, index
+from ..machine.kernels.vec import Vec, at, dot, saturate
 from .inputs import Batch, PosedMesh, Screen
 from .raster import SUBPIXEL
 

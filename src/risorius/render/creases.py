@@ -13,7 +13,7 @@ from ..face.marks import Marks
 from ..face.regions import PlacedRegion, place_regions
 from ..looks.noise import noise_at
 from ..machine.array_cache import cached_arrays
-from ..machine.jit import f4, i4, kernel
+from ..machine.kernels.jit import f4, i4, kernel
 
 LINES, FOLD, DIMPLES = 0, 1, 2
 # Columns of `style`.

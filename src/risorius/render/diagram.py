@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..core.arrays import ByteArray
-from ..machine.jit import kernel
+from ..machine.kernels.jit import kernel
 from .collect import collect
 from .inputs import Batch, Paint, Pose, PosedMesh, SceneLight, Screen, Tables
 from .materials.hair import shade_hairs

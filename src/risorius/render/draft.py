@@ -9,8 +9,8 @@ from __future__ import annotations
 from ..core.arrays import ByteArray
 from ..looks.attributes import EXTRA, HAIR, SKIN
 from ..looks.garment import COLLAR
-from ..machine.jit import device, f4, i4, index
-from ..machine.vec import Vec, at, scale, weigh
+from ..machine.kernels.jit import device, f4, i4, index
+from ..machine.kernels.vec import Vec, at, scale, weigh
 from .collect import weights_at
 from .inputs import Batch, Facets, Pose, PosedMesh, SceneLight, Screen, Tables
 from .materials.cloth import SEAM, collar_shade, light_cloth

@@ -6,8 +6,8 @@ import math
 from typing import NamedTuple
 
 from ..core.arrays import Float32Array, Int32Array
-from ..machine.jit import device, f4, f8, i4, i8, index
-from ..machine.vec import Vec
+from ..machine.kernels.jit import device, f4, f8, i4, i8, index
+from ..machine.kernels.vec import Vec
 from .raster import HALF, SUBPIXEL, area_of, extent
 from .row_block import LANES, cover, cover_depth, cover_ribbon
 

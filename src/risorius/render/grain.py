@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from ..core.arrays import Float32Array
 from ..looks.noise import MASK, SIZE
-from ..machine.jit import device, f4, index
-from ..machine.vec import Vec
+from ..machine.kernels.jit import device, f4, index
+from ..machine.kernels.vec import Vec
 
 _ONE = index(1)
 _SHIFT = f4(SIZE << 7)  # a whole number of tiles, so that cells are counted without sign

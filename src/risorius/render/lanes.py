@@ -11,8 +11,8 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import Float32Array
-from ..machine.jit import device
-from ..machine.vec import Vec, sub, unit
+from ..machine.kernels.jit import device
+from ..machine.kernels.vec import Vec, sub, unit
 from .grain import Heights
 
 LANES = 64

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from ..core.arrays import ByteArray, Float32Array, Int32Array
 from ..looks.attributes import EXTRA, HAIR, INNER, ROUGHNESS, SKIN
-from ..machine.jit import device, f4, i8, index
-from ..machine.vec import Vec, along, at, dot, scale
+from ..machine.kernels.jit import device, f4, i8, index
+from ..machine.kernels.vec import Vec, along, at, dot, scale
 from .collect import collect_pixel
 from .grain import between, cell_of, heights_about
 from .inputs import Batch, LinearTriangles, Pose, PosedMesh, SceneLight, Screen, Tables

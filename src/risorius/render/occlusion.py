@@ -8,7 +8,7 @@ import numpy as np
 
 from ..core.arrays import Array, ByteArray, Float32Array, FloatArray, Int32Array
 from ..machine.array_cache import cached_arrays
-from ..machine.jit import f4, kernel
+from ..machine.kernels.jit import f4, kernel
 from .shadow import flatten, light_matrix, transform
 from .visibility import Visibility
 

@@ -7,7 +7,7 @@ edge that two triangles share belongs to exactly one of them (the top-left rule)
 from __future__ import annotations
 
 from ..core.arrays import ByteArray, Int32Array
-from ..machine.jit import device, i8, index, kernel
+from ..machine.kernels.jit import device, i8, index, kernel
 
 SUBPIXEL = 256
 HALF = SUBPIXEL // 2

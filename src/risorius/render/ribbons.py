@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 from ..core.arrays import Float32Array, Int8Array, Int32Array
-from ..machine.jit import device, f4, i8, kernel
-from ..machine.vec import Vec, along, at, cross, dot, scale, sub, unit, weigh
+from ..machine.kernels.jit import device, f4, i8, kernel
+from ..machine.kernels.vec import Vec, along, at, cross, dot, scale, sub, unit, weigh
 
 WHOLE, NOTHING = (0, 127), (127, -1)
 """First and last point to draw: of a whole hair of any number of points, and of a hair that is not drawn."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..core.arrays import Float32Array, Int32Array
-from ..machine.jit import device, f4, i4, index
+from ..machine.kernels.jit import device, f4, i4, index
 
 LANES = 16
 

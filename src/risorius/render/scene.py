@@ -20,7 +20,7 @@ from ..looks.parts import Part, hair_attributes
 from ..looks.perfusion import Perfusion
 from ..looks.scalp import hair_shade
 from ..looks.srgb import linear
-from ..machine.jit import f4
+from ..machine.kernels.jit import f4
 from .aperture import lid_margins, lip_edges
 from .creases import lay_creases, raise_creases
 from .inputs import Pose

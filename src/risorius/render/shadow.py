@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import ByteArray, Float32Array, FloatArray, Int32Array
-from ..machine.jit import device, f4, index, kernel
-from ..machine.vec import Vec, at
+from ..machine.kernels.jit import device, f4, index, kernel
+from ..machine.kernels.vec import Vec, at
 from .camera import snap
 from .visibility import Visibility
 

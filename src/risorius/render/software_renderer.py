@@ -15,7 +15,7 @@ from ..face.subdivide import triangulate
 from ..looks.eyeball import iris_image
 from ..looks.head_model import HeadModel, thin_hair
 from ..looks.noise import noise_tile
-from ..machine.jit import f4
+from ..machine.kernels.jit import f4
 from .backdrop import gradient
 from .camera import Camera, project, project_pairs
 from .cutout import covered, cut_out

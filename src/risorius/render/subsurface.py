@@ -11,8 +11,8 @@ import numpy as np
 
 from ..core.arrays import Float32Array
 from ..looks.attributes import MAX_CURVATURE
-from ..machine.jit import device, f4, index
-from ..machine.vec import Vec, bounded
+from ..machine.kernels.jit import device, f4, index
+from ..machine.kernels.vec import Vec, bounded
 
 _VARIANCES = np.array([0.0064, 0.0484, 0.187, 0.567, 1.99, 7.41])  # mm²
 _WEIGHTS = np.array(

@@ -8,8 +8,8 @@ import numpy as np
 
 from ..core.arrays import Array, ByteArray, Float32Array, FloatArray
 from ..looks.srgb import srgb_encode
-from ..machine.jit import device, f4, index
-from ..machine.vec import bounded
+from ..machine.kernels.jit import device, f4, index
+from ..machine.kernels.vec import bounded
 
 TONES = 4096
 WHITE = 6.0  # scene light that becomes full white

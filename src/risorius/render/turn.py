@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..core.arrays import Float32Array
-from ..machine.jit import kernel
+from ..machine.kernels.jit import kernel
 
 
 @kernel("f4[:, :], f4[:], f4[:, :], f4[:], f4[:, :]")

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import ByteArray, Float32Array, Int32Array
-from ..machine.jit import device, f4, index, kernel
+from ..machine.kernels.jit import device, f4, index, kernel
 from .fill import fill, fill_ribbon
 from .raster import CHUNK, find_rows, is_ribbon
 

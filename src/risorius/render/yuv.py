@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..core.arrays import ByteArray
-from ..machine.jit import device, i4, kernel
+from ..machine.kernels.jit import device, i4, kernel
 
 _BITS = 15
 # ITU-R BT.709-6, sections 3.2 and 4: shares of red and blue in the brightness; the ranges of the numbers.

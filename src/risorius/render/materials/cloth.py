@@ -7,8 +7,8 @@ import math
 from ...core.arrays import Float32Array
 from ...looks.attributes import CURVATURE, EXTRA, OCCLUSION, SKIN
 from ...looks.garment import COLLAR
-from ...machine.jit import device, f4, index
-from ...machine.vec import Vec, along, at, dot, mix, saturate, scale, smooth, times, unit, weigh
+from ...machine.kernels.jit import device, f4, index
+from ...machine.kernels.vec import Vec, along, at, dot, mix, saturate, scale, smooth, times, unit, weigh
 from ..grain import grain
 from ..inputs import Batch, LinearTriangles, PosedMesh, SceneLight, Screen, Tables
 from .exposure import expose

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ...core.arrays import Float32Array
-from ...machine.jit import device, f4
-from ...machine.vec import Vec
+from ...machine.kernels.jit import device, f4
+from ...machine.kernels.vec import Vec
 from ..inputs import LinearTriangles
 from ..tone import exposed
 from .patch import put

@@ -7,8 +7,8 @@ import math
 from ...core.arrays import Float32Array
 from ...looks.attributes import EYE_LEFT
 from ...looks.eyeball import IRIS
-from ...machine.jit import device, f4
-from ...machine.vec import (
+from ...machine.kernels.jit import device, f4
+from ...machine.kernels.vec import (
     Vec,
     add,
     along,

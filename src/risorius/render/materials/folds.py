@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from ...machine.jit import device, f4, i8
-from ...machine.vec import Vec, along, dot, rotate, saturate, unit
+from ...machine.kernels.jit import device, f4, i8
+from ...machine.kernels.vec import Vec, along, dot, rotate, saturate, unit
 from ..creases import DIMPLES, FAINT, FOLD, FURROW, KIND, SHADOW, SHARE
 from ..grain import grain
 from ..inputs import Pose, PosedMesh, Tables

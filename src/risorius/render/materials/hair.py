@@ -9,8 +9,8 @@ import math
 
 from ...core.arrays import Float32Array, Int32Array
 from ...looks.attributes import HAIR, OCCLUSION, SPECULAR
-from ...machine.jit import device, f4, kernel
-from ...machine.vec import Vec, add, along, at, dot, saturate, scale, sub, times, unit, weigh
+from ...machine.kernels.jit import device, f4, kernel
+from ...machine.kernels.vec import Vec, add, along, at, dot, saturate, scale, sub, times, unit, weigh
 from ..inputs import Batch, PosedMesh, SceneLight
 from .lit import ambient_light, key_share, lamp_colour, lamp_direction
 from .patch import corners_of, put, weights_of

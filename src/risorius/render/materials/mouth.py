@@ -6,8 +6,8 @@ import math
 
 from ...core.arrays import Float32Array
 from ...looks.attributes import ALBEDO, OCCLUSION, TEETH, TONGUE
-from ...machine.jit import device, f4, kernel
-from ...machine.vec import (
+from ...machine.kernels.jit import device, f4, kernel
+from ...machine.kernels.vec import (
     Vec,
     along,
     dot,

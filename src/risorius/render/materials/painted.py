@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 from ...looks.muscle_paint import SOFT
-from ...machine.jit import device, f4, index
-from ...machine.vec import Vec, along, mix, saturate, scale, smooth
+from ...machine.kernels.jit import device, f4, index
+from ...machine.kernels.vec import Vec, along, mix, saturate, scale, smooth
 from ..inputs import Paint, PosedMesh
 from .patch import Corners
 

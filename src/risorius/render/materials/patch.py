@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ...core.arrays import Float32Array, Int32Array
-from ...machine.jit import device, index
-from ...machine.vec import Vec, sub, unit
+from ...machine.kernels.jit import device, index
+from ...machine.kernels.vec import Vec, sub, unit
 
 Corners = tuple[int, int, int]
 

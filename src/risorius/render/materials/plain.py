@@ -8,8 +8,8 @@ from __future__ import annotations
 from ...core.arrays import Float32Array
 from ...looks import attributes
 from ...looks.attributes import SKIN, TONGUE
-from ...machine.jit import device, f4, i8
-from ...machine.vec import Vec, add, along, dot, mix, scale, times, weigh
+from ...machine.kernels.jit import device, f4, i8
+from ...machine.kernels.vec import Vec, add, along, dot, mix, scale, times, weigh
 from ..brdf import gloss
 from ..inputs import Batch, Paint, Pose, PosedMesh, SceneLight, Screen, Tables
 from ..lanes import (

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ...core.arrays import Float32Array
-from ...machine.jit import device, f4, kernel
-from ...machine.vec import Vec, at
+from ...machine.kernels.jit import device, f4, kernel
+from ...machine.kernels.vec import Vec, at
 from ..inputs import PosedMesh, SceneLight
 from .lit import key_share
 from .patch import Corners

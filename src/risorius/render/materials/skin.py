@@ -8,8 +8,8 @@ from __future__ import annotations
 from ...core.arrays import Float32Array
 from ...looks import attributes
 from ...looks.attributes import SKIN
-from ...machine.jit import device, f4, i8
-from ...machine.vec import Vec, add, along, dot, rows_of, scale, smooth, tilted, times, turned, weigh
+from ...machine.kernels.jit import device, f4, i8
+from ...machine.kernels.vec import Vec, add, along, dot, rows_of, scale, smooth, tilted, times, turned, weigh
 from ..grain import between, cell_of, heights_about
 from ..inputs import Batch, Pose, PosedMesh, SceneLight, Screen, Tables
 from ..lanes import (

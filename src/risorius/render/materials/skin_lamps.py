@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ...core.arrays import Float32Array
-from ...machine.jit import device, f4
-from ...machine.vec import Vec, add, along, dot, times
+from ...machine.kernels.jit import device, f4
+from ...machine.kernels.vec import Vec, add, along, dot, times
 from ..brdf import mirrored, mirrored_change, schlick
 from ..lanes import (
     ALBEDO,

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from ...core.arrays import Float32Array
 from ...looks import attributes
-from ...machine.jit import device, f4, i8
-from ...machine.vec import add, along, at, dot, scale, unrotate
+from ...machine.kernels.jit import device, f4, i8
+from ...machine.kernels.vec import add, along, at, dot, scale, unrotate
 from ..inputs import Batch, LinearTriangles, Pose, PosedMesh, SceneLight, Screen, Tables
 from ..lanes import (
     ALBEDO,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from ..core.arrays import Float32Array
+from ...core.arrays import Float32Array
 from .jit import device, f4
 
 Vec = tuple[float, float, float]

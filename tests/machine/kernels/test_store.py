@@ -16,9 +16,10 @@ import pytest
 
 from risorius.errors import RisoriusError
 from risorius.face.links import _apply
-from risorius.machine import cache_folder, store
-from risorius.machine.build import import_all
-from risorius.machine.declared import kernels
+from risorius.machine import cache_folder
+from risorius.machine.kernels import store
+from risorius.machine.kernels.build import import_all
+from risorius.machine.kernels.declared import kernels
 
 ROOT = Path(cache_folder.ROOT).parents[1]
 NORMALS = """

@@ -1,4 +1,4 @@
-"""Compile kernels in processes of their own: `python -m risorius.machine.build FOLDER [--installed]`.
+"""Compile kernels in processes of their own: `python -m risorius.machine.kernels.build FOLDER [--installed]`.
 
 That program runs when the package is built. It compiles all kernels whose files are missing in the folder;
 with `--installed` it also writes their digests, for an installed package, whose sources do not change.
@@ -16,7 +16,7 @@ from collections.abc import Iterator, Sequence
 from importlib import import_module
 from pathlib import Path
 
-from . import cache_folder
+from .. import cache_folder
 from .declared import kernels
 from .digest import digest, reached
 from .files import file_name, of_packages
@@ -40,7 +40,7 @@ def compile_into(folder: Path, files: Sequence[CodeFile]) -> None:
     variables.pop("RISORIUS_STRICT", None)
     running = [
         subprocess.Popen(
-            [sys.executable, "-m", "risorius.machine.compile", str(folder), *share],
+            [sys.executable, "-m", "risorius.machine.kernels.compile", str(folder), *share],
             env=variables,
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,

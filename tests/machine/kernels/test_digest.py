@@ -8,15 +8,15 @@ from pathlib import Path
 
 import pytest
 
-from risorius.machine import digest as module
-from risorius.machine.declared import kernels
+from risorius.machine.kernels import digest as module
+from risorius.machine.kernels.declared import kernels
 from risorius.render import shade
 
 SOURCE = '''
 from typing import Annotated, NamedTuple
 from risorius.core.arrays import Array
 from risorius.machine import vec
-from risorius.machine.jit import device, kernel
+from risorius.machine.kernels.jit import device, kernel
 
 FACTOR, TABLE = 2.0, (1, 2.5)
 

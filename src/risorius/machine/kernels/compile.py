@@ -1,4 +1,4 @@
-"""Compile kernels with numba: `python -m risorius.machine.compile FOLDER NAME=PROCESSORS=FILE ...`.
+"""Compile kernels with numba: `python -m risorius.machine.kernels.compile FOLDER NAME=PROCESSORS=FILE ...`.
 
 This program writes the machine code of each named kernel to a file of the folder. It runs by itself, because
 device functions are declared to numba as they are imported. Only numba's published interface is used.

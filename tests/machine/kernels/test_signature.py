@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from risorius.core.arrays import Array
-from risorius.machine.signature import Record, Value, parse
+from risorius.machine.kernels.signature import Record, Value, parse
 
 
 class Inner(NamedTuple):

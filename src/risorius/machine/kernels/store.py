@@ -12,8 +12,8 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from ..errors import RisoriusError
-from . import cache_folder
+from ...errors import RisoriusError
+from .. import cache_folder
 from .declared import Declaration, kernels
 from .files import file_name, of_this_machine
 

@@ -17,7 +17,7 @@ from risorius.face.lids import _aim
 from risorius.face.links import _apply
 from risorius.face.products import SparseRows, _times, without_fourth
 from risorius.looks.normals import face_normals, vertex_normals
-from risorius.machine.call import Kernel
+from risorius.machine.kernels.call import Kernel
 from risorius.render.camera import project
 from risorius.render.shade import shade
 

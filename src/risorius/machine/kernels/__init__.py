@@ -1,0 +1,1 @@
+"""Functions that run as machine code: declared, compiled, found and called."""
