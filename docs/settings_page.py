@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from risorius.core.setting import Group, Row, Stage, ValueKind, rows
 from risorius.settings import Settings
+from risorius.settings.declare import Group, Row, Stage, ValueKind, rows
 from risorius.unused_settings import INPUTS, NEEDED, InputKind
 
 PAGE = Path(__file__).parent / "settings.md"
 HEAD = """# Settings
-Written by `docs/settings_page.py` from the table in `settings.py`: do not edit.
+Written by `docs/settings_page.py` from the table in `settings/table.py`: do not edit.
 
 In the library a setting is a field of `Settings`, or of its `look` (a `Look`) or `blend` (a `BlendChoices`).
 `risorius list` prints the names that a value can have, and `risorius speak --help` the options.

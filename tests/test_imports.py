@@ -23,7 +23,7 @@ BASE = FIELD | {"machine"}
 WORDS = BASE | {"languages", "rules", "script", "speech"}
 TAKE = WORDS | {"channels", "blend", "face", "looks", "render", "ports", "settings"}
 PIPELINE = TAKE | {"unused_settings", "solvers", "take"}
-LIBRARY = PIPELINE | {"presets", "pipeline", "api", "live", "batches"}
+LIBRARY = PIPELINE | {"pipeline", "api", "live", "batches"}
 
 # From the ground up: each package, or module of the top level, and what it may import beside itself and the
 # ground. A row names only what stands above it.
@@ -43,7 +43,6 @@ MAY_IMPORT: Mapping[str, set[str]] = {
     "blend": FIELD,
     "face": BASE,
     "settings": BASE | {"rules", "speech", "blend", "face"},
-    "presets": BASE | {"settings"},
     "looks": BASE | {"face", "settings"},
     "render": BASE | {"face", "settings", "looks"},
     "ports": BASE | {"browser", "languages", "script", "face", "looks", "render"},

@@ -17,9 +17,9 @@ import pytest
 
 from risorius import api, stream
 from risorius.cli import commands, run
-from risorius.core.setting import rows
 from risorius.serve import server as live_server
 from risorius.settings import Settings, settings_of
+from risorius.settings.declare import rows
 from risorius.studio import server
 
 from .collected import all_cases
@@ -273,7 +273,7 @@ CHANGING = {
     **dict.fromkeys(("map_file", "perform", "output"), "the character: tests/ports/test_rig.py"),
     "transcript": "words: tests/speech/test_from_recording.py",
     "parameter": "what explain prints",
-    **dict.fromkeys(("presets", "configs"), "settings: tests/test_presets.py"),
+    **dict.fromkeys(("presets", "configs"), "settings: tests/settings/test_presets.py"),
     **dict.fromkeys(
         ("shard", "dry_run", "ignore", "sheets"), "which lines are made, and the report: tests/batches"
     ),

@@ -19,12 +19,12 @@ from risorius import api, pipeline
 from risorius import solvers as solvers_module
 from risorius.core.progress import quiet
 from risorius.core.score import Score
-from risorius.core.setting import Row, Stage, rows
 from risorius.core.utterance import Utterance
 from risorius.errors import RisoriusError, UnusedSettingError
 from risorius.rules.emotions import Display
 from risorius.script import Script, parse_script
 from risorius.settings import Settings, settings_of
+from risorius.settings.declare import Row, Stage, rows
 from risorius.solvers import solver_key
 from risorius.unused_settings import (
     CAPTURE,

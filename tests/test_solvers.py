@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from risorius import solvers
-from risorius.core.setting import Stage, rows
 from risorius.live import weights
 from risorius.settings import Settings, settings_of
+from risorius.settings.declare import Stage, rows
 from risorius.solvers import SolverCache, solver_key
 from risorius.studio.solvers import Solvers
 from risorius.take import HeadCache

@@ -46,11 +46,11 @@ if TYPE_CHECKING:
     from .live.session import Live as Live
     from .ports.rig import MuscleCoverage as MuscleCoverage
     from .ports.rig import Rig as Rig
-    from .presets import load_settings as load_settings
     from .rules.emotions import Display as Display
     from .settings import BlendChoices as BlendChoices
     from .settings import Look as Look
     from .settings import Settings as Settings
+    from .settings.presets import load_settings as load_settings
     from .take import Take as Take
 
 __version__ = "0.1.0"
@@ -128,7 +128,7 @@ _MODULES = {
     "live.frame": ("LiveFrame",),
     "live.session": ("Live",),
     "ports.rig": ("Rig", "MuscleCoverage"),
-    "presets": ("load_settings",),
+    "settings.presets": ("load_settings",),
     "rules.emotions": ("Display",),
     "settings": ("BlendChoices", "Look", "Settings"),
     "take": ("Take",),

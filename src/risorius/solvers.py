@@ -7,8 +7,8 @@ from collections.abc import Hashable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Literal
 
-from .core.setting import Stage
 from .settings import Settings
+from .settings.declare import Stage
 from .unused_settings import values_read
 
 if TYPE_CHECKING:

@@ -6,10 +6,10 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from .core.setting import Row, Stage, rows
 from .errors import Place, UnusedSettingError
 from .ports.formats import FileFormat, Need
 from .settings import Settings
+from .settings.declare import Row, Stage, rows
 
 if TYPE_CHECKING:
     from .speech import SpeechSource

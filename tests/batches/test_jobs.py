@@ -9,10 +9,10 @@ import risorius
 from risorius.batches.jobs import JobMaker, check_job
 from risorius.batches.manifest import Manifest, ManifestRow
 from risorius.batches.patterns import OutputPattern, checked_part
-from risorius.core.setting import rows
 from risorius.errors import InputError, OutputError, ParameterError, Place, RisoriusError
 from risorius.rules.emotions import Display
 from risorius.settings import Settings
+from risorius.settings.declare import rows
 
 PLACE = Place("m.csv", 2)
 

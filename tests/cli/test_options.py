@@ -11,8 +11,8 @@ from click.shell_completion import ShellComplete
 
 from risorius.cli import commands, run
 from risorius.cli.options import flag, settings_from
-from risorius.core.setting import Group, rows
 from risorius.settings import Settings
+from risorius.settings.declare import Group, rows
 
 
 def completed(*words: str) -> list[str]:

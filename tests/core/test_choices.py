@@ -10,12 +10,12 @@ from risorius.blend.conflict import POLICIES
 from risorius.blend.mouth.coarticulation import LIP_MODELS
 from risorius.core import choices, functions
 from risorius.core.score import BlendSettings
-from risorius.core.setting import rows
 from risorius.errors import ParameterError
 from risorius.render.lights import DARK, DAYLIGHT, RIGS, STUDIO
 from risorius.rules.expressions import expressions
 from risorius.rules.lips import lip_table
 from risorius.settings import BlendChoices, Settings
+from risorius.settings.declare import rows
 from risorius.speech.synthesis import synthesize_line, synthesize_script
 
 

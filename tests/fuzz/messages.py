@@ -23,13 +23,13 @@ from risorius.core.progress import quiet
 from risorius.errors import InputError, OutputError, RisoriusError
 from risorius.live.services import AzureVoice, CartesiaVoice, ElevenLabsVoice
 from risorius.live.session import Live
-from risorius.presets import load_settings
 from risorius.serve.choices import settings_from
 from risorius.serve.client import follow
 from risorius.serve.frames import FrameLayout
 from risorius.serve.messages import Interrupt, Output, StartFace
 from risorius.serve.messages import decode as decode_live
 from risorius.settings import Settings
+from risorius.settings.presets import load_settings
 from risorius.studio import session_list
 from risorius.studio.app import looks_of
 from risorius.studio.autosave import DRAFT, FILE, Autosave

@@ -21,7 +21,6 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 
 import risorius
-from risorius.core.setting import rows
 from risorius.errors import RisoriusError
 from risorius.ports.formats import FORMATS
 from risorius.reading.schema import MisfitError, converter
@@ -29,6 +28,7 @@ from risorius.script.read import READERS as SCRIPTS
 from risorius.script.read import RECORDING_SUFFIXES
 from risorius.serve.messages import KINDS
 from risorius.settings import Settings, settings_of
+from risorius.settings.declare import rows
 from risorius.studio.request_table import VERBS
 from risorius.studio.wire.requests import EDITS
 

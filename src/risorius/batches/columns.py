@@ -6,10 +6,10 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from functools import cache
 
-from ..core.setting import SWITCHED, Row, rows
 from ..errors import InputError, Place, unknown
 from ..reading.frozen import FrozenDict
 from ..settings import Settings
+from ..settings.declare import SWITCHED, Row, rows
 
 INPUT = ("id", "text", "script", "audio", "transcript", "emotion")
 

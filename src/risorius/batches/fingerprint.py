@@ -9,8 +9,8 @@ from functools import cache
 from importlib import metadata
 from pathlib import Path
 
-from ..core.setting import rows
 from ..settings import Settings
+from ..settings.declare import rows
 from .jobs import BatchJob
 from .places import is_remote, read_bytes, state_of
 

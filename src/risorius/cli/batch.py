@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from ..core.setting import Stage
+from ..settings.declare import Stage
 from .batch_progress import BatchProgress
 from .console import EXIT_INTERRUPTED, Console
 from .options import SHOWN, Command, NumberIn, emotion_option, option, setting_options, settings_from

@@ -140,7 +140,7 @@ def attitudes() -> Listing:
 
 def presets() -> Listing:
     """The presets: settings that go together (--preset NAME)."""
-    from ..presets import presets as all_presets
+    from ..settings.presets import presets as all_presets
 
     return ("preset", "description"), list(all_presets().items())
 

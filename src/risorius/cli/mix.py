@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from ..core.setting import Stage
+from ..settings.declare import Stage
 from .console import Console
 from .options import SHOWN, Command, check_outputs, output_option, setting_options, settings_from
 from .outputs import written

@@ -12,9 +12,9 @@ import click
 from click.shell_completion import CompletionItem
 
 from ..core.names import Names
-from ..core.setting import Group, Row, Stage, ValueKind, rows
 from ..errors import InputError, ParameterError, Place, unknown
 from ..settings import Settings
+from ..settings.declare import Group, Row, Stage, ValueKind, rows
 from .messages import JSON, QUIET
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -173,7 +173,7 @@ def _rows_in(group: Group) -> list[Row]:
 
 def settings_from(chosen: Mapping[str, Any]) -> Settings:
     """Return the settings that a command's options chose; raise RisoriusError for an invalid value."""
-    from ..presets import load_settings
+    from ..settings.presets import load_settings
 
     table, kept = rows(Settings), {**chosen}
     for name in kept.get("configs", ()):
@@ -230,7 +230,7 @@ preset_option = option(
     group="Settings",
     multiple=True,
     metavar="NAME",
-    type=Named(Names(path="presets:presets")),
+    type=Named(Names(path="settings.presets:presets")),
     help="Settings that go together ('risorius list presets'). Options override them. May be given several "
     "times.",
 )

@@ -8,8 +8,8 @@ from typing import Any
 import click
 
 from ..core.names import Names
-from ..core.setting import Stage
 from ..errors import InputError, OutputError
+from ..settings.declare import Stage
 from .console import Console
 from .options import (
     Command,

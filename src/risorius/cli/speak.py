@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from ..core.setting import Stage
+from ..settings.declare import Stage
 from .console import Console
 from .inputs import Spoken, input_options
 from .options import SHOWN, Command, check_outputs, output_option, setting_options, settings_from

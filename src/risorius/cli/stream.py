@@ -8,8 +8,8 @@ from typing import Any
 import click
 
 from ..core.names import Names
-from ..core.setting import Stage
 from ..errors import InputError, UnusedSettingError
+from ..settings.declare import Stage
 from .console import Console
 from .inputs import Spoken, input_options
 from .options import (

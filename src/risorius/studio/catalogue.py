@@ -14,7 +14,6 @@ from ..core.action_units import ACTION_UNITS, ActionUnit, resolve_targets
 from ..core.channels import CHANNELS
 from ..core.functions import ONSET_FUNCTIONS
 from ..core.parameters import ALIASES, PARAMETERS, RIVALS, Parameter
-from ..core.setting import Row, ValueKind
 from ..face.head import load_head, shipped_heads
 from ..ports.formats import FORMATS, FileFormat
 from ..rules.emotions import Emotion, emotions
@@ -22,6 +21,7 @@ from ..rules.profiles import Profile, attitudes, profile_texts, profiles
 from ..rules.rule import Rule
 from ..rules.rule_set import shipped
 from ..rules.tuned import numbers_of
+from ..settings.declare import Row, ValueKind
 from ..speech.engines.voices import voices
 from . import limits, tables
 from .messages import encoded

@@ -6,7 +6,6 @@ import json
 from pathlib import Path
 
 from ..core.score import BlendSettings
-from ..core.setting import rows
 from ..errors import InputError, unknown
 from ..face.head import shipped_heads
 from ..rules.profiles import profile as named_profile
@@ -14,6 +13,7 @@ from ..rules.profiles import profile_from, profile_texts
 from ..rules.rule_set import extended, shipped
 from ..settings import BlendChoices, Settings
 from ..settings import settings_of as settings_from
+from ..settings.declare import rows
 from ..speech.engines.registry import is_voice_file
 from .session_files import kept_table
 from .wire.choices import chosen_rows, on_wire

@@ -8,7 +8,6 @@ from dataclasses import replace
 
 from ..core.edits import identified
 from ..core.progress import Progress
-from ..core.setting import Stage
 from ..core.utterance import Utterance
 from ..errors import InputError, warnings_to
 from ..pipeline import compose, speak
@@ -17,6 +16,7 @@ from ..rules.emotions import Display, Displays
 from ..rules.rule_set import emotions_of
 from ..script import Script, parse_script
 from ..settings import Settings
+from ..settings.declare import Stage
 from ..speech import LabelledRecording, Recording, hear
 from ..speech.recordings.recording import read_recording
 from ..speech.structure.edges_moved import EdgeShift, with_edges

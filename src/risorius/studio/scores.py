@@ -6,13 +6,13 @@ from dataclasses import replace
 from pathlib import Path
 
 from ..core.score import BlendSettings
-from ..core.setting import rows
 from ..errors import InputError, Place
 from ..ports.readable import ScoreFile
 from ..ports.score_json import ScoreDocument
 from ..reading.json_text import JsonDocument, parse_json
 from ..reading.schema import placed
 from ..settings import BlendChoices
+from ..settings.declare import rows
 from .wire.shared import Choices
 
 

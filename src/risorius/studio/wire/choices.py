@@ -10,9 +10,9 @@ from collections.abc import Iterator
 from dataclasses import field, make_dataclass
 from typing import Annotated, Any
 
-from ...core.setting import Row, Stage, ValueKind, rows
 from ...reading.hints import Range
 from ...settings import Settings
+from ...settings.declare import Row, Stage, ValueKind, rows
 
 EXPORTED = (Stage.PICTURE, Stage.OUTPUT)
 LARGEST_WHOLE = 2**31  # numbers in a browser are floats

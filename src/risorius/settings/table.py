@@ -1,7 +1,7 @@
 """The table of settings: all that a user may choose, each with its type, default, range, help and reader.
 
 The options of the command line, the studio's controls and messages, and docs/settings.md are derived from the
-fields below: a new setting is a field here, and the line that reads it. `core/setting.py` says what can be
+fields below: a new setting is a field here, and the line that reads it. `declare.py` says what can be
 declared of one.
 """
 
@@ -16,15 +16,15 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .core import choices
-from .core import look as looks
-from .core.frame_rate import parse_fps
-from .core.setting import Group, Row, Stage, ValueKind, check, rows, setting
-from .core.units import MAX_SECONDS
-from .errors import InputError, UnusedSettingError, unknown
+from ..core import choices
+from ..core import look as looks
+from ..core.frame_rate import parse_fps
+from ..core.units import MAX_SECONDS
+from ..errors import InputError, UnusedSettingError, unknown
+from .declare import Group, Row, Stage, ValueKind, check, rows, setting
 
 if TYPE_CHECKING:
-    from .core.score import BlendSettings
+    from ..core.score import BlendSettings
 
     class FrameRate:
         """The type of a frame rate for type checkers: any number or text, and a fraction is kept."""
@@ -73,7 +73,7 @@ else:
 
 
 LARGEST_SIDE = 4096
-BY_VOICE = "core.setting:later"  # to look a voice up starts the speech engine
+BY_VOICE = "settings.declare:later"  # to look a voice up starts the speech engine
 
 _voice = partial(setting, Stage.VOICE, Group.VOICE)
 _silence = partial(setting, Stage.VOICE, Group.TIME)
@@ -193,8 +193,8 @@ class BlendChoices(metaclass=Named):
 
     def planned(self) -> BlendSettings:
         """Return how the movements of a planned score are combined."""
-        from .core.functions import CORNERED
-        from .core.score import BlendSettings
+        from ..core.functions import CORNERED
+        from ..core.score import BlendSettings
 
         usual: dict[str, Any] = {name: row.usual for name, row in rows(BlendChoices).items()}
         if self.onset_function in CORNERED:

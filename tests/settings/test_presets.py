@@ -11,8 +11,8 @@ import pytest
 import risorius
 from risorius.cli import run
 from risorius.errors import RisoriusError
-from risorius.presets import load_settings, presets, values_of
 from risorius.settings import Settings, settings_of
+from risorius.settings.presets import load_settings, presets, values_of
 
 
 @pytest.fixture
@@ -100,6 +100,6 @@ def test_a_file_of_settings_changes_what_is_written(folder: Path) -> None:
 
 
 def test_the_file_that_the_docs_show_can_be_used(folder: Path) -> None:
-    page = Path(__file__).parents[1] / "docs" / "reference.md"
+    page = Path(__file__).parents[2] / "docs" / "reference.md"
     Path("shown.toml").write_text(page.read_text().split("```toml\n")[1].split("```")[0])
     assert load_settings("shown.toml").attitudes == ("polite",)

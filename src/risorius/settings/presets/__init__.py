@@ -12,14 +12,14 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
-from ..core.setting import Row, rows
-from ..errors import ParameterError, RisoriusError, unknown
-from ..machine.paths import path_of
-from ..reading.frozen import FrozenDict
-from ..reading.hints import shown
-from ..reading.source_text import SourceText
-from ..reading.toml import read_tables, read_text
-from ..settings import Settings, settings_of
+from ...errors import ParameterError, RisoriusError, unknown
+from ...machine.paths import path_of
+from ...reading.frozen import FrozenDict
+from ...reading.hints import shown
+from ...reading.source_text import SourceText
+from ...reading.toml import read_tables, read_text
+from ..declare import Row, rows
+from ..table import Settings, settings_of
 
 _DESCRIPTION = "description"
 _SUFFIX = ".toml"

@@ -16,13 +16,13 @@ import pytest
 
 from risorius import settings
 from risorius.core.score import BlendSettings
-from risorius.core.setting import rows
 from risorius.errors import InputError, RisoriusError
 from risorius.settings import BlendChoices, Look, Settings, parse_size, settings_of
+from risorius.settings.declare import rows
 
-from .collected import all_cases
+from ..collected import all_cases
 
-DOCS = Path(__file__).parents[1] / "docs"
+DOCS = Path(__file__).parents[2] / "docs"
 
 
 @pytest.mark.parametrize(

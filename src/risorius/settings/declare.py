@@ -18,9 +18,9 @@ from numbers import Integral, Real
 from pathlib import Path
 from typing import Any
 
+from ..core.names import Names, spelled, value_at
 from ..errors import InputError, unknown
 from ..reading.frozen import FrozenDict
-from .names import Names, spelled, value_at
 
 _KEY = "setting"
 _MANY = 1e9  # a limit from which on none is told

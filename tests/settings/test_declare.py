@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 from risorius.core.names import Choice, Names, spelled
-from risorius.core.setting import Group, Stage, ValueKind, check, rows, setting
 from risorius.errors import InputError
+from risorius.settings.declare import Group, Stage, ValueKind, check, rows, setting
 
 _some = partial(setting, Stage.PLAN, Group.MODELS)
 
