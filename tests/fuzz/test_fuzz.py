@@ -73,7 +73,7 @@ OURS = {
     "batches/report": "its own database",
     "core/audio": "sound that we wrote",
     "machine/cache_folder": "digests of the kernels that we built",
-    "core/pcm": "samples, of which all bytes are right",
+    "live/pcm": "samples, of which all bytes are right",
     "reading/positions": "keys that were parsed before",
     "face/regions": "the bytes of its own table",
     "ports/html": "bytes that it writes",

@@ -20,8 +20,8 @@ import numpy as np
 
 from risorius import speak
 from risorius.core.arrays import Array
-from risorius.core.pcm import PcmDecoder
 from risorius.core.utterance import Utterance
+from risorius.live.pcm import PcmDecoder
 
 TEXT = "Well, that is it. She paid him."
 FOLDER = Path(__file__).with_name("messages")

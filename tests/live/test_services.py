@@ -15,9 +15,9 @@ import pytest
 from risorius import Live, Settings, speak
 from risorius.core.arrays import Array
 from risorius.core.parameters import INDEX
-from risorius.core.pcm import PcmDecoder
 from risorius.errors import InputError
 from risorius.live.frame import LiveFrame
+from risorius.live.pcm import PcmDecoder
 from risorius.live.services import AzureVoice, CartesiaVoice, ElevenLabsVoice
 
 from .record_messages import FOLDER, FORMATS, TEXT, spoken

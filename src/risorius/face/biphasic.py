@@ -11,11 +11,11 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import Array, IndexArray, UInt32Array
-from ..core.mesh_sides import edges
 from ..machine.kernels.jit import kernel
 from .head import Field, Head
 from .muscles import MuscleFields, fields_of
 from .network import Network, pull
+from .numerics.mesh_sides import edges
 from .stiffness import NEIGHBOUR
 
 YIELD = 0.15  # strain s₀ at which the second phase begins

@@ -8,7 +8,7 @@ import numpy as np
 import scipy.sparse as sp
 
 from ..core.arrays import Int32Array, Int64Array, IntArray
-from ..core.mesh_sides import MeshSides, mesh_sides
+from .numerics.mesh_sides import MeshSides, mesh_sides
 
 
 @dataclass(frozen=True, slots=True)

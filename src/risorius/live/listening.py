@@ -7,8 +7,8 @@ from numpy.typing import ArrayLike
 
 from ..core.arrays import Array
 from ..core.parameters import INDEX
-from ..core.pcm import check_rate, samples_of
 from .low_pitch import LowPitch
+from .pcm import check_rate, samples_of
 
 # Seconds: of sound that is judged at once, of speech before a pause that is answered, of the pause until the
 # answer, of a pause after which speech begins anew, and between two nods (ours: facts name no rate).

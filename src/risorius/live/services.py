@@ -12,10 +12,10 @@ from collections.abc import Mapping, Sequence
 from datetime import timedelta
 from typing import Any, TypeVar
 
-from ..core.pcm import sample_bytes
 from ..errors import InputError, unknown
 from ..reading.schema import build
 from ..reading.source_text import SourceText, Syntax
+from .pcm import sample_bytes
 from .session import Live
 
 T = TypeVar("T")

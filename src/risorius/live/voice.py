@@ -11,12 +11,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..core.audio import Samples
-from ..core.pcm import PcmDecoder, check_rate, samples_of
 from ..errors import InputError
 from ..reading.hints import shown
 from ..reading.source_text import Syntax
 from ..speech.alignment.timed_words import TimedWord, check_times, written
 from ..speech.recordings.recording import HIGHEST_RATE, LOWEST_RATE
+from .pcm import PcmDecoder, check_rate, samples_of
 
 LONGEST_WAITING = 120.0
 """Seconds of sound that may wait for the end of their phrase."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import Array, FloatArray, IntArray
-from ..core.mesh_sides import edges
+from ..face.numerics.mesh_sides import edges
 
 
 def mean_curvature(

@@ -17,7 +17,6 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.action_unit_fit import ActionUnitFit
 from ..core.action_units import action_unit, resolve_targets
 from ..core.arrays import Array, Int64Array
 from ..core.parameters import INDEX, NEUTRAL
@@ -36,6 +35,7 @@ from .capture import (
     read_table,
     score_of_capture,
 )
+from .curves.action_unit_fit import ActionUnitFit
 from .formats import register
 from .landmarks_csv import MEASURES
 from .readable import ReadOptions, ScoreFile

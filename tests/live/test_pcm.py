@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.core.pcm import ENCODINGS, PcmDecoder, check_rate, sample_bytes, samples_of
 from risorius.errors import InputError
+from risorius.live.pcm import ENCODINGS, PcmDecoder, check_rate, sample_bytes, samples_of
 
 
 def test_an_unknown_encoding_is_refused_with_the_nearest() -> None:

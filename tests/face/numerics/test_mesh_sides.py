@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from risorius.core.arrays import IntArray
-from risorius.core.mesh_sides import edges, mesh_sides, unique_pairs
+from risorius.face.numerics.mesh_sides import edges, mesh_sides, unique_pairs
 
 KINDS = st.sampled_from([np.int32, np.int64])
 

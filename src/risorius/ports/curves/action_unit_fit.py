@@ -7,9 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.optimize import nnls
 
-from .action_units import ACTION_UNITS
-from .arrays import Array
-from .parameters import BASES, INDEX, MUSCLES
+from ...core.action_units import ACTION_UNITS
+from ...core.arrays import Array
+from ...core.parameters import BASES, INDEX, MUSCLES
 
 _BASES = tuple(dict.fromkeys(muscle.base for muscle in MUSCLES))
 # For several units with the same muscles, the fit prefers the smallest sum of intensities.

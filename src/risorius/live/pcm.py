@@ -7,9 +7,9 @@ from collections.abc import Callable, Mapping
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..core.arrays import Int16Array
+from ..core.audio import Samples
 from ..errors import InputError, unknown
-from .arrays import Int16Array
-from .audio import Samples
 
 _FULL_SCALE = 32_767
 

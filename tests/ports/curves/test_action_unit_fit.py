@@ -1,9 +1,9 @@
 import numpy as np
 import pytest
 
-from risorius.core.action_unit_fit import ActionUnitFit
 from risorius.core.action_units import resolve_targets
 from risorius.core.parameters import INDEX, NEUTRAL
+from risorius.ports.curves.action_unit_fit import ActionUnitFit
 
 NUMBERS = (1, 2, 4, 5, 6, 7, 9, 10, 12, 15, 17, 20, 26, 45)
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .arrays import Int64Array, IntArray
+from ...core.arrays import Int64Array, IntArray
 
 
 class MeshSides(NamedTuple):

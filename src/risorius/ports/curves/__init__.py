@@ -1,0 +1,1 @@
+"""Curves as files: one column per parameter, shape, unit or point."""
