@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.face.compression import Compression, Zone
-from risorius.face.rotations import head_rotation
+from risorius.face.numerics.rotations import head_rotation
 from tests.profiles import examples
 
 

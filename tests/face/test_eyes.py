@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.face.eyes import eye_rotations, pitch_and_yaw
-from risorius.face.rotations import direction
+from risorius.face.numerics.rotations import direction
 from tests.profiles import examples
 
 CENTRES = np.array([[30.0, 0.0, 0.0], [-30.0, 0.0, 0.0]])

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from risorius.face.network import Network, pull
-from risorius.face.stiffness import REST, edges, laplacian
+from risorius.face.numerics.stiffness import REST, edges, laplacian
 
 
 @pytest.fixture(scope="module")

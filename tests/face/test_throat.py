@@ -6,7 +6,7 @@ import pytest
 from risorius.face.crowding import struts
 from risorius.face.head import load_head
 from risorius.face.jaw import Jaw
-from risorius.face.rotations import turned
+from risorius.face.numerics.rotations import turned
 from risorius.face.throat import LEAST, uncrowd
 
 STRIP = np.array([[0, 1, 3, 2], [2, 3, 5, 4]])

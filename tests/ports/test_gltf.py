@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.face.rotations import about_axis
+from risorius.face.numerics.rotations import about_axis
 from risorius.ports.gltf import Gltf, quaternion, quaternions
 
 from .gltf_reader import Document

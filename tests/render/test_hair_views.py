@@ -3,7 +3,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from risorius.face.rotations import head_rotation
+from risorius.face.numerics.rotations import head_rotation
 from risorius.looks.attributes import HAIR
 from risorius.render.hair_views import HairViews
 from risorius.render.software_renderer import SoftwareRenderer

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from risorius.face.rotations import head_rotation
+from risorius.face.numerics.rotations import head_rotation
 from risorius.looks.surface import Surface, unit
 from risorius.render.ribbons import NOTHING, WHOLE, ribbons
 

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from risorius.face.rotations import head_rotation
+from risorius.face.numerics.rotations import head_rotation
 from risorius.render.turn import turn
 
 POINTS = np.random.default_rng(1).normal(size=(50, 3)).astype(np.float32)

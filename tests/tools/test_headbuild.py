@@ -24,7 +24,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.profiles import examples, samples
 
-from risorius.face.subdivide import catmull_clark
+from risorius.face.numerics.subdivide import catmull_clark
 
 HEADS = Path(__file__).parents[2] / "src" / "risorius" / "heads"
 STANDARD = HEADS / "standard"

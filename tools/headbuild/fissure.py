@@ -14,7 +14,7 @@ from scipy.sparse.linalg import splu
 
 from risorius.core.arrays import AnyArray
 from risorius.face.identity import OLD, YOUNG
-from risorius.face.subdivide import catmull_clark
+from risorius.face.numerics.subdivide import catmull_clark
 from risorius.looks.eyeball import IRIS
 
 from .bust import Bust

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from risorius.core.arrays import AnyArray
-from risorius.face.rotations import turned
+from risorius.face.numerics.rotations import turned
 from risorius.face.throat import uncrowd
 
 from .bust import Bust

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from risorius.core.arrays import AnyArray
-from risorius.face.subdivide import catmull_clark
+from risorius.face.numerics.subdivide import catmull_clark
 
 from .bust import Bust
 from .masks import smoothstep

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from risorius.core.arrays import AnyArray
-from risorius.face.subdivide import Subdivision
+from risorius.face.numerics.subdivide import Subdivision
 
 _STEP = 0.2  # mm between samples along z
 _FRONT, _TIP = 12.0, 50.0  # z in mm between which lips are looked for

@@ -22,8 +22,8 @@ from ..errors import HeadError, Place
 from ..machine.npz import read_arrays
 from .muscle_table import FILE as TABLE
 from .muscle_table import ForceType, Muscle
-from .quads import quad_normals
-from .stiffness import spring_stiffness
+from .numerics.quads import quad_normals
+from .numerics.stiffness import spring_stiffness
 
 FILE = "anatomy.npz"
 REACH = 5.5  # mm over which the weights vary

@@ -23,11 +23,11 @@ from ..core.parameters import INDEX as PARAMETER
 from ..machine.blas import one_thread
 from .arkit_direct import DIRECT, direct_weights
 from .eyes import pitch_and_yaw
-from .far_vertices import FAR, FarVertices, lengths, within_leeway
 from .frame import FaceFrame
 from .head import Head
 from .lids import FRONT, LID_REACH
-from .nonnegative import least_squares
+from .numerics.far_vertices import FAR, FarVertices, lengths, within_leeway
+from .numerics.nonnegative import least_squares
 from .shapes import ArkitShapes, arkit_shapes
 
 # Shares of the mean square of a shape that keep nearly parallel and opposed shapes from cancelling each

@@ -16,7 +16,7 @@ from .head import Field, Head
 from .muscles import MuscleFields, fields_of
 from .network import Network, pull
 from .numerics.mesh_sides import edges
-from .stiffness import NEIGHBOUR
+from .numerics.stiffness import NEIGHBOUR
 
 YIELD = 0.15  # strain s₀ at which the second phase begins
 SECOND = 1.0  # stiffness k₂ of the second phase, added to the first

@@ -18,7 +18,7 @@ from ..machine.array_cache import cached_arrays
 from ..machine.kernels.jit import device, kernel
 from .head import Head
 from .marks import smooth
-from .products import short
+from .numerics.products import short
 
 STRETCHED = 1.05  # a larger stretch does not compensate for compression beside it
 _ROUNDS = 2  # of smoothing on level 0

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..core.arrays import Array, BoolArray, Int32Array, IntArray
 from ..machine.kernels.jit import device, i8, kernel
-from .fours import LANES
+from .numerics.fours import LANES
 
 Grid = tuple[float, float, float, float]
 

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from ..core.arrays import Array
-from .rotations import forward_rows, towards
+from .numerics.rotations import forward_rows, towards
 
 MM_PER_M = 1000.0
 

@@ -24,8 +24,8 @@ from .identity import UNNAMED, Identity, read_identity
 from .links import link_rows
 from .muscle_table import FILE as MUSCLE_TABLE
 from .muscle_table import Muscle, links_of, load_muscles
+from .numerics.subdivide import Subdivision, catmull_clark
 from .sliders import check_sliders, load_sliders
-from .subdivide import Subdivision, catmull_clark
 
 EXTRA_FIELDS = ("lip_tuck",)
 TONGUE_FIELDS = ("tongue_up", "tongue_out", "tongue_back")

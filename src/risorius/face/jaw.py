@@ -16,7 +16,7 @@ from ..core.parameters import INDEX
 from ..machine.array_cache import cached_arrays
 from ..machine.kernels.jit import kernel
 from .head import Head
-from .rotations import about_axis, turned
+from .numerics.rotations import about_axis, turned
 from .throat import uncrowd
 
 MASSETER = INDEX["masseter"]

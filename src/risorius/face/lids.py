@@ -21,8 +21,8 @@ from ..core.arrays import Array, Int32Array
 from ..core.parameters import INDEX
 from ..machine.kernels.jit import device, kernel
 from .head import Head
+from .numerics.products import SparseRows, carry
 from .plate import nearby, response
-from .products import SparseRows, carry
 
 SIDES = ("left", "right")
 BLINK = "orbicularis_oculi_palpebralis"

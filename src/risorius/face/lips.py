@@ -11,13 +11,13 @@ import scipy.sparse as sp
 
 from ..core.arrays import Array
 from ..core.articulators import SEAL_MM, WIDEST_MM
-from .complementarity import Gaps, Workspace, solve_gaps
 from .contact import Contacts, find_contacts, keep_tight
 from .head import Head
 from .jaw import Jaw
 from .mouth import OVERLAP, Mouth, TeethEdge
+from .numerics.complementarity import Gaps, Workspace, solve_gaps
+from .numerics.products import SparseRows, carry, carry_upwards
 from .plate import Response, nearby, response
-from .products import SparseRows, carry, carry_upwards
 
 NEAR = 0.12  # mm; wider gaps are left out of the solution after closing
 SHUT = 0.005  # mm that a full seal may leave open

@@ -20,7 +20,8 @@ from ..core.parameters import INDEX, PARAMETERS
 from ..errors import HeadError
 from ..machine.kernels.jit import device, kernel
 from .activations import YIELDS, Yields, activate, yields_of
-from .fours import (
+from .head import Field, Head
+from .numerics.fours import (
     LANES,
     Four,
     added,
@@ -35,7 +36,6 @@ from .fours import (
     set_row,
     squares,
 )
-from .head import Field, Head
 
 # These have no field on the skin at rest: the jaw is a frame, and the lids slide over the eyeball.
 ELSEWHERE = ("masseter", "orbicularis_oculi_palpebralis")

@@ -17,7 +17,7 @@ from .crowding import LEAST_WIDTH, Distances, altitudes
 from .head import Head
 from .layouts import Fold
 from .marks import Marks
-from .quads import quad_normals
+from .numerics.quads import quad_normals
 from .regions import PlacedRegion
 
 NARROWED = 0.5 * LEAST_WIDTH  # share of a face's width: half of what the muscles leave

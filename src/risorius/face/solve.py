@@ -30,8 +30,8 @@ from .links import Links, load_links
 from .lips import Lips
 from .muscles import DisplacedSkin, MuscleFields, put_at
 from .network import Network
-from .products import AlikeRows, without_fourth
-from .rotations import head_rotation
+from .numerics.products import AlikeRows, without_fourth
+from .numerics.rotations import head_rotation
 from .springs import Springs
 from .teeth import Teeth
 from .tongue import TongueShapes

@@ -17,7 +17,7 @@ from ..machine.kernels.jit import device, kernel
 from .crowding import struts
 from .head import Head
 from .jaw import Jaw
-from .rotations import about_axis
+from .numerics.rotations import about_axis
 from .tooth_row import NONE, ROUNDING, ROW, ToothRow, column_of, look_up, sector_of
 
 CLEARANCE = 0.3  # mm of skin before the teeth's front

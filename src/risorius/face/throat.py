@@ -10,7 +10,7 @@ import numpy as np
 
 from ..core.arrays import Array, IntArray
 from .crowding import relieve, struts
-from .rotations import turned
+from .numerics.rotations import turned
 
 LEAST = 0.35  # the share of an edge's length that the open jaw leaves along its direction
 SWEEPS = 200

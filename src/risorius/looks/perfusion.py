@@ -21,7 +21,7 @@ from ..core.parameters import INDEX
 from ..face.frame import FaceFrame
 from ..face.head import Head
 from ..face.identity import Looks
-from ..face.products import SparseRows
+from ..face.numerics.products import SparseRows
 from ..face.regions import place_regions
 from ..machine.kernels.jit import f4, kernel
 from ..machine.kernels.vec import at, cross, dot, sub

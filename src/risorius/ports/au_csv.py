@@ -23,7 +23,7 @@ from ..core.parameters import INDEX, NEUTRAL
 from ..core.progress import Progress
 from ..errors import InputError, Place, unknown
 from ..face.frame import FaceFrame
-from ..face.rotations import about_axis, rotation_angles
+from ..face.numerics.rotations import about_axis, rotation_angles
 from .capture import (
     GAZE_ANGLES,
     HEAD_ANGLES,

@@ -17,7 +17,7 @@ from ..core.arrays import Array
 from ..errors import OutputError
 from ..face.arkit_fit import ArkitTrack
 from ..face.head import Head
-from ..face.rotations import head_rotation
+from ..face.numerics.rotations import head_rotation
 from ..face.shapes import arkit_shapes
 from ..looks.head_model import head_model
 from ..looks.parts import Part

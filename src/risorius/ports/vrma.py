@@ -16,7 +16,7 @@ from ..core.arkit import SHAPES
 from ..core.arrays import Array
 from ..core.parameters import INDEX
 from ..face.expressions import expressions, preset_weights
-from ..face.rotations import head_rotation
+from ..face.numerics.rotations import head_rotation
 from ..reading.json_text import JsonObject
 from .formats import register
 from .gltf import Animation, Gltf, quaternions

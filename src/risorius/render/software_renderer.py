@@ -11,7 +11,7 @@ from ..core.arrays import Array, ByteArray, Float32Array, Int32Array
 from ..core.look import QUALITIES, STYLES, Size
 from ..errors import InputError, unknown
 from ..face.frame import FaceFrame
-from ..face.subdivide import triangulate
+from ..face.numerics.subdivide import triangulate
 from ..looks.eyeball import iris_image
 from ..looks.head_model import HeadModel, thin_hair
 from ..looks.noise import noise_tile

@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from risorius.core.arrays import Array
-from risorius.face.far_vertices import _leave
 from risorius.face.jaw import turn_about
 from risorius.face.lids import _aim
 from risorius.face.links import _apply
-from risorius.face.products import SparseRows, _times, without_fourth
+from risorius.face.numerics.far_vertices import _leave
+from risorius.face.numerics.products import SparseRows, _times, without_fourth
 from risorius.looks.normals import face_normals, vertex_normals
 from risorius.machine.kernels.call import Kernel
 from risorius.render.camera import project

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from risorius.core.arkit import SHAPES
-from risorius.face.rotations import head_rotation
+from risorius.face.numerics.rotations import head_rotation
 
 from ...serve.running import running
 from .driving import Page

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..core.arrays import Array, IntArray
+from ...core.arrays import Array, IntArray
 
 
 def quad_normals(points: Array, quads: IntArray) -> Array:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.sparse as sp
 
-from ..core.arrays import Int32Array, Int64Array, IntArray
-from .numerics.mesh_sides import MeshSides, mesh_sides
+from ...core.arrays import Int32Array, Int64Array, IntArray
+from .mesh_sides import MeshSides, mesh_sides
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.face.subdivide import catmull_clark, triangulate
+from risorius.face.numerics.subdivide import catmull_clark, triangulate
 from tests.profiles import examples
 
 CUBE = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])

@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from risorius.face.fours import gathered, inverse_cube_root, spread
+from risorius.face.numerics.fours import gathered, inverse_cube_root, spread
 
 
 @pytest.mark.parametrize("x", [1.0, 1.0 + 1e-12, 1.9, 2.1, 7.9, 8.1, 1e3, 1e9, 1e30, 1e90, 1e-3, 1e-30])

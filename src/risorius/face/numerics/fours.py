@@ -10,8 +10,8 @@ import math
 
 import numpy as np
 
-from ..core.arrays import Array, UIntArray
-from ..machine.kernels.jit import device, index
+from ...core.arrays import Array, UIntArray
+from ...machine.kernels.jit import device, index
 
 LANES = 4
 Four = tuple[float, float, float, float]

@@ -3,9 +3,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.face import far_vertices
-from risorius.face.far_vertices import FAR, FarVertices
-from risorius.face.nonnegative import least_squares
+from risorius.face.numerics import far_vertices
+from risorius.face.numerics.far_vertices import FAR, FarVertices
+from risorius.face.numerics.nonnegative import least_squares
 from tests.profiles import examples
 
 SHAPES, VERTICES = 6, 40

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.optimize import nnls
 
-from risorius.face.complementarity import Gaps, Workspace, solve_gaps
+from risorius.face.numerics.complementarity import Gaps, Workspace, solve_gaps
 
 INF = np.inf
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import scipy.sparse as sp
 
-from risorius.face.products import AlikeRows, SparseRows, carry, carry_upwards, without_fourth
+from risorius.face.numerics.products import AlikeRows, SparseRows, carry, carry_upwards, without_fourth
 
 RNG = np.random.default_rng(7)
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import scipy.sparse as sp
 
-from risorius.face.cholesky import Factor, sparing_order
-from risorius.face.stiffness import laplacian
+from risorius.face.numerics.cholesky import Factor, sparing_order
+from risorius.face.numerics.stiffness import laplacian
 
 
 def grid(side):

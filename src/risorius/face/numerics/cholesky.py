@@ -13,8 +13,8 @@ import numpy as np
 import scipy.sparse as sp
 from scipy.sparse.linalg import splu
 
-from ..core.arrays import Array, IndexArray, UInt32Array, UIntArray
-from ..machine.kernels.jit import device, i8, kernel
+from ...core.arrays import Array, IndexArray, UInt32Array, UIntArray
+from ...machine.kernels.jit import device, i8, kernel
 from .fours import gathered, set_row, spread
 from .fours import row as row_at
 from .products import short

@@ -12,8 +12,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..core.arrays import Array, BoolArray, IndexArray
-from ..machine.kernels.jit import device, kernel
+from ...core.arrays import Array, BoolArray, IndexArray
+from ...machine.kernels.jit import device, kernel
 
 PATIENCE = 3  # rounds in which the number of wrong unknowns does not fall, until they change one by one
 ROUNDING = 1e-12  # of the largest right side: an unknown at 0 that would gain less stays

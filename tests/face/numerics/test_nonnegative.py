@@ -4,8 +4,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.optimize import nnls
 
-from risorius.face import nonnegative
-from risorius.face.nonnegative import least_squares
+from risorius.face.numerics import nonnegative
+from risorius.face.numerics.nonnegative import least_squares
 from tests.profiles import examples
 
 

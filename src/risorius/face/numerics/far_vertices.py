@@ -18,8 +18,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..core.arrays import Array
-from ..machine.kernels.jit import kernel
+from ...core.arrays import Array
+from ...machine.kernels.jit import kernel
 from .nonnegative import least_squares
 
 FAR, POWER, STRENGTH = 1.5, 8, 4e4  # mm, none, mm⁻⁶

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.face.rotations import about_axis, direction, forward_to, head_rotation, turned
+from risorius.face.numerics.rotations import about_axis, direction, forward_to, head_rotation, turned
 from tests.profiles import examples
 
 degrees = st.floats(-60.0, 60.0)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import scipy.sparse as sp
 
-from ..core.arrays import IntArray
-from .numerics.mesh_sides import edges
+from ...core.arrays import IntArray
+from .mesh_sides import edges
 
 NEIGHBOUR, REST = 1.0, 0.1  # stiffness k of the springs between points, and k₀ of those to the rest
 

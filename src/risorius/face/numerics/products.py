@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import scipy.sparse as sp
 
-from ..core.arrays import AnyArray, Array, FloatArray, IntArray, UInt32Array, UIntArray
-from ..machine.kernels.jit import device, kernel
+from ...core.arrays import AnyArray, Array, FloatArray, IntArray, UInt32Array, UIntArray
+from ...machine.kernels.jit import device, kernel
 from .fours import added_times, four, row, set_row
 
 

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..core.arrays import Array, FloatArray, IntArray
-from ..machine.kernels.jit import kernel
+from ...core.arrays import Array, FloatArray, IntArray
+from ...machine.kernels.jit import kernel
 
 # A little softness in the diagonal keeps redundant gaps (neighbours on a stiff lip) from opposing each other.
 SOFTNESS = 1.001

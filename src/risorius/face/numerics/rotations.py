@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from ..core.arrays import Array
+from ...core.arrays import Array
 
 
 def about_axis(axis: Array, angle: float) -> Array:
