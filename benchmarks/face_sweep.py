@@ -26,7 +26,7 @@ from tests.face.flips import SMALLEST, Flips, visible  # noqa: E402
 from tests.face.poses import BASES, JAW, contracted, random_values  # noqa: E402
 from tests.face.winding import LipTester  # noqa: E402
 
-from risorius.face.head import Head, load_head  # noqa: E402
+from risorius.face.head.head import Head, load_head  # noqa: E402
 from risorius.face.solve import FaceSolver  # noqa: E402
 
 

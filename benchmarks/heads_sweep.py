@@ -29,8 +29,8 @@ from tests.face.laws import BLINK, Laws  # noqa: E402
 from tests.face.poses import BASES, contracted, random_values  # noqa: E402
 
 from risorius.core.parameters import INDEX  # noqa: E402
-from risorius.face.head import load_head, shipped_heads  # noqa: E402
-from risorius.face.sliders import parse_slider, slider_names  # noqa: E402
+from risorius.face.head.head import load_head, shipped_heads  # noqa: E402
+from risorius.face.head.sliders import parse_slider, slider_names  # noqa: E402
 
 AGES = (25, 50, 75)
 JAWS = (0.0, 0.1, 0.2)

@@ -15,7 +15,7 @@ from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX, PARAMETERS
 from risorius.core.score import Score
 from risorius.face.frame import FaceFrame
-from risorius.face.head import load_head
+from risorius.face.head.head import load_head
 from risorius.face.lip_file import load_lip_rig
 from risorius.face.measure import Gauge
 from risorius.face.mouth import Mouth

@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 
 from risorius.core.arrays import Array
-from risorius.face.head import Head, load_head
+from risorius.face.head.head import Head, load_head
 from risorius.looks.anatomy import Anatomy, find_anatomy
 from risorius.looks.brows import brow_line
 from risorius.looks.scalp import inside_hairline

@@ -22,7 +22,7 @@ from pathlib import Path
 import numpy as np
 
 from risorius.core.arrays import AnyArray
-from risorius.face.head import load_head
+from risorius.face.head.head import load_head
 from risorius.face.solve import FaceSolver
 from risorius.rules.poses import pose_values
 

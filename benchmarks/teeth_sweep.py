@@ -21,7 +21,7 @@ from tests.face.teeth import TeethTester  # noqa: E402
 from risorius.api import speak  # noqa: E402
 from risorius.channels import Display  # noqa: E402
 from risorius.core.parameters import NAMES  # noqa: E402
-from risorius.face.head import load_head, shipped_heads  # noqa: E402
+from risorius.face.head.head import load_head, shipped_heads  # noqa: E402
 from risorius.face.solve import FaceSolver  # noqa: E402
 from risorius.rules.emotions import emotions  # noqa: E402
 

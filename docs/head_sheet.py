@@ -11,7 +11,7 @@ from PIL import Image
 
 from risorius.core.action_units import resolve_targets
 from risorius.core.parameters import INDEX, NEUTRAL
-from risorius.face.head import Head, load_head, shipped_heads
+from risorius.face.head.head import Head, load_head, shipped_heads
 from risorius.face.solve import FaceSolver
 from risorius.looks.head_model import head_model
 from risorius.render.software_renderer import SoftwareRenderer

@@ -17,7 +17,7 @@ import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 
 from risorius.core.parameters import MUSCLES
-from risorius.face.head import Head, load_head
+from risorius.face.head.head import Head, load_head
 
 PICTURE = Path(__file__).parent / "pictures" / "muscle-lines.png"
 COLOURS = {

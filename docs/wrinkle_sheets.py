@@ -11,7 +11,7 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 import risorius
-from risorius.face.head import load_head
+from risorius.face.head.head import load_head
 from risorius.face.solve import FaceSolver
 from risorius.looks.head_model import head_model
 from risorius.render.software_renderer import SoftwareRenderer

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from risorius.face.head import load_head
+from risorius.face.head.head import load_head
 
 BENCHMARKS = Path(__file__).parent.parent / "benchmarks"
 

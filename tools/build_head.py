@@ -19,9 +19,9 @@ from headbuild.pack import write_npz  # noqa: E402
 from headbuild.source import Source, open_source  # noqa: E402
 
 from risorius.errors import RisoriusError  # noqa: E402
-from risorius.face.ages import FILE as AGES  # noqa: E402
-from risorius.face.identity import FILE as IDENTITY  # noqa: E402
-from risorius.face.identity import read_identity  # noqa: E402
+from risorius.face.head.ages import FILE as AGES  # noqa: E402
+from risorius.face.head.identity import FILE as IDENTITY  # noqa: E402
+from risorius.face.head.identity import read_identity  # noqa: E402
 
 HEADS = ROOT / "src" / "risorius" / "heads"
 TEMPLATE = HEADS / "standard"  # the head that the builder's distances were drawn for

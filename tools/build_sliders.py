@@ -20,9 +20,9 @@ from headbuild.pack import write_npz  # noqa: E402
 from headbuild.sliders import build_sliders  # noqa: E402
 from headbuild.source import open_source  # noqa: E402
 
-from risorius.face.identity import FILE as IDENTITY  # noqa: E402
-from risorius.face.identity import read_identity  # noqa: E402
-from risorius.face.sliders import FILE, load_sliders  # noqa: E402
+from risorius.face.head.identity import FILE as IDENTITY  # noqa: E402
+from risorius.face.head.identity import read_identity  # noqa: E402
+from risorius.face.head.sliders import FILE, load_sliders  # noqa: E402
 
 TEMPLATE = ROOT / "src" / "risorius" / "heads" / "standard"
 

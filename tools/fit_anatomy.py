@@ -9,9 +9,9 @@ from __future__ import annotations
 import numpy as np
 
 from risorius.core.arrays import Array
-from risorius.face.anatomy import FILE, Pull, Skin, directions, from_line, influence
-from risorius.face.head import Head, load_head
-from risorius.face.muscle_table import NAMES, Muscle, load_muscles
+from risorius.face.head.anatomy import FILE, Pull, Skin, directions, from_line, influence
+from risorius.face.head.head import Head, load_head
+from risorius.face.head.muscle_table import NAMES, Muscle, load_muscles
 
 SPACING = 4.5  # mm between places
 STIFF = 5e-5  # how much large weights cost

@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from .errors import warnings_to as warnings_to
     from .face.arkit_fit import ArkitTrack as ArkitTrack
     from .face.frame import FaceFrame as FaceFrame
-    from .face.head import Head as Head
+    from .face.head.head import Head as Head
     from .live.frame import LiveFrame as LiveFrame
     from .live.session import Live as Live
     from .ports.rig import MuscleCoverage as MuscleCoverage
@@ -124,7 +124,7 @@ _MODULES = {
     ),
     "face.arkit_fit": ("ArkitTrack",),
     "face.frame": ("FaceFrame",),
-    "face.head": ("Head",),
+    "face.head.head": ("Head",),
     "live.frame": ("LiveFrame",),
     "live.session": ("Live",),
     "ports.rig": ("Rig", "MuscleCoverage"),

@@ -152,7 +152,7 @@ def play(
     `audio` is a recording that is heard with it. Raises InputError for a file that cannot be used, and for
     settings that nothing reads (UnusedSettingError).
     """
-    from .face.head import head_of
+    from .face.head.head import head_of
     from .ports.formats import format_read
     from .ports.readable import ReadOptions
 
@@ -209,7 +209,7 @@ def rig(
     RisoriusError.
     """
     from .face.arkit_fit import ArkitFit
-    from .face.head import head_of
+    from .face.head.head import head_of
     from .machine.atomic import replacing
     from .ports.glb_file import save_glb
     from .ports.rig import animated, check_performable, read_rig, report

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from .core.look import Size
     from .face.arkit_fit import ArkitTrack
     from .face.frame import FaceFrame
-    from .face.head import Head
+    from .face.head.head import Head
     from .face.measure import Gauge
     from .face.solve import FaceSolver
     from .render import Renderer, RendererSetup
@@ -301,7 +301,7 @@ class Take:
     @cached_property
     def head(self) -> Head:
         """The head that performs; raises HeadError if it cannot be loaded."""
-        from .face.head import head_of
+        from .face.head.head import head_of
 
         return head_of(self.settings)
 

@@ -16,7 +16,7 @@ from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX, NAMES
 from risorius.core.score import Score
 from risorius.face.arkit_fit import ArkitFit
-from risorius.face.head import load_head
+from risorius.face.head.head import load_head
 from risorius.face.lip_file import load_lip_rig
 from risorius.face.solve import FaceSolver
 from risorius.pipeline import compose

@@ -7,7 +7,7 @@ import pytest
 
 from risorius.core.action_units import resolve_targets
 from risorius.core.parameters import INDEX, NEUTRAL
-from risorius.face.head import load_head
+from risorius.face.head.head import load_head
 from risorius.face.solve import FaceSolver
 
 # The six emotions by action units (facts: science/05, section 5.3), as strong as a face can show them.

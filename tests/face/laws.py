@@ -7,8 +7,8 @@ import itertools
 import numpy as np
 
 from risorius.face.contact import Contacts, find_contacts
+from risorius.face.head.links import NO_LINKS
 from risorius.face.lids import FRONT
-from risorius.face.links import NO_LINKS
 from risorius.face.mouth import Mouth, TeethEdge
 from risorius.face.muscles import ELSEWHERE
 from risorius.face.solve import FaceSolver

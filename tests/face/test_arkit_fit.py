@@ -13,7 +13,7 @@ from risorius.core.parameters import NEUTRAL
 from risorius.errors import HeadError
 from risorius.face.arkit_direct import gaze_of
 from risorius.face.arkit_fit import BLOCK, ArkitFit
-from risorius.face.head import load_head, shipped_heads
+from risorius.face.head.head import load_head, shipped_heads
 from risorius.face.numerics import far_vertices
 from risorius.face.shapes import arkit_shapes
 from risorius.face.solve import FaceSolver

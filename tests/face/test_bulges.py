@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.face.bulges import TAKEN_UP, Bulges, bulge_height, bulges
-from risorius.face.head import load_head
-from risorius.face.marks import Marks
+from risorius.face.head.head import load_head
+from risorius.face.head.marks import Marks
 from risorius.face.solve import FaceSolver
 
 from .conftest import values_of

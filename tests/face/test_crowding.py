@@ -13,8 +13,8 @@ from risorius.face.crowding import (
     relieve,
     struts,
 )
-from risorius.face.head import load_head
-from risorius.face.links import NO_LINKS
+from risorius.face.head.head import load_head
+from risorius.face.head.links import NO_LINKS
 from risorius.face.muscles import MuscleFields
 from risorius.face.solve import FaceSolver
 

@@ -7,7 +7,7 @@ import itertools
 import numpy as np
 import pytest
 
-from risorius.face.head import load_head, shipped_heads
+from risorius.face.head.head import load_head, shipped_heads
 from tests.profiles import everyday
 
 from .conftest import EMOTIONS

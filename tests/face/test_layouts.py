@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from risorius.face.head.marks import Marks, plateau, ripple
 from risorius.face.layouts import Dimples, Fan, Fold, Lines
-from risorius.face.marks import Marks, plateau, ripple
 
 MARKS = Marks(np.zeros((68, 3)), 1.0)
 LINES = Lines(

@@ -13,7 +13,7 @@ from risorius.core.articulators import ARTICULATORS, FITTED
 from risorius.core.lip_rig import MEASURES, RAISER, LipRig, rig_of_fit
 from risorius.core.parameters import DEFAULT_THRESHOLD, INDEX, NEUTRAL, RIVALS
 from risorius.errors import HeadError
-from risorius.face.head import load_head, shipped_heads
+from risorius.face.head.head import load_head, shipped_heads
 from risorius.face.lip_file import FILE, load_lip_rig
 from risorius.face.lip_fit import MeasuredMouth
 from risorius.face.measure import Gauge

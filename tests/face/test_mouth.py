@@ -5,7 +5,7 @@ import pytest
 
 from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.face.contact import Contacts, find_contacts
-from risorius.face.head import load_head, shipped_heads
+from risorius.face.head.head import load_head, shipped_heads
 from risorius.face.mouth import OVERLAP, STATIONS, Mouth, TeethEdge
 from risorius.face.solve import FaceSolver
 from tests.profiles import everyday

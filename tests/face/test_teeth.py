@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from risorius.face.head import load_head
+from risorius.face.head.head import load_head
 from risorius.face.jaw import Jaw
 from risorius.face.solve import FaceSolver
 from risorius.face.teeth import LONG, SHORT, Teeth

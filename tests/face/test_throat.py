@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from risorius.face.crowding import struts
-from risorius.face.head import load_head
+from risorius.face.head.head import load_head
 from risorius.face.jaw import Jaw
 from risorius.face.numerics.rotations import turned
 from risorius.face.throat import LEAST, uncrowd

@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.errors import InputError
-from risorius.face.links import NO_LINKS
-from risorius.face.marks import Marks
+from risorius.face.head.links import NO_LINKS
+from risorius.face.head.marks import Marks
 from risorius.face.regions import place_regions, region_names, regions
 from risorius.face.solve import FaceSolver
 from risorius.face.wrinkles import FLAT, LOW, Wrinkles, capped, fold_height

@@ -15,10 +15,10 @@ from PIL import Image
 from risorius.api import load, mix
 from risorius.batches.manifest import Manifest
 from risorius.errors import HeadError, RisoriusError
-from risorius.face.head_file import HeadFile
-from risorius.face.identity import read_identity
-from risorius.face.links import LinkTable
-from risorius.face.muscle_table import load_muscles
+from risorius.face.head.head_file import HeadFile
+from risorius.face.head.identity import read_identity
+from risorius.face.head.links import LinkTable
+from risorius.face.head.muscle_table import load_muscles
 from risorius.machine.npz import read_arrays
 from risorius.ports.arkit_csv import COLUMNS as ARKIT_COLUMNS
 from risorius.ports.arkit_csv import read_arkit_csv

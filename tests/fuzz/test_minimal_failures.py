@@ -17,7 +17,7 @@ from risorius.batches.journal import NAME as JOURNAL
 from risorius.batches.journal import Journal
 from risorius.core.performance import frame_count
 from risorius.errors import InputError, RisoriusError
-from risorius.face.head import load_head
+from risorius.face.head.head import load_head
 from risorius.languages import language_of
 from risorius.live.services import AzureVoice, CartesiaVoice, ElevenLabsVoice
 from risorius.live.session import Live

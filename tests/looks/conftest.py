@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from risorius.face.head import load_head
+from risorius.face.head.head import load_head
 from risorius.looks.anatomy import find_anatomy
 from risorius.looks.parts import skin_surface
 

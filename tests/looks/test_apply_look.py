@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from risorius.core.look import COMPLEXIONS
-from risorius.face.identity import Looks
+from risorius.face.head.identity import Looks
 from risorius.looks.apply_look import apply_look
 from risorius.settings import Look
 

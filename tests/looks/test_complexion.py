@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from risorius.face.identity import Looks
+from risorius.face.head.identity import Looks
 from risorius.looks.attributes import ALBEDO, CURVATURE, INNER, MAX_CURVATURE, ROUGHNESS
 from risorius.looks.complexion import paint_skin
 from risorius.looks.garment import neckline

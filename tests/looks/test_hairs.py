@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
-from risorius.face.identity import Looks
+from risorius.face.head.identity import Looks
 from risorius.looks.attributes import OCCLUSION
 from risorius.looks.brows import brow_shade, grow_brows
 from risorius.looks.greying import greyed, greyed_colour

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from risorius.core.parameters import INDEX, NEUTRAL
-from risorius.face.head import load_head
+from risorius.face.head.head import load_head
 from risorius.looks.muscle_paint import colours, place_muscles
 
 ZYGOMATIC = "zygomatic_major.left"

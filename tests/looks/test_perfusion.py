@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
-from risorius.face.head import load_head
+from risorius.face.head.head import load_head
 from risorius.face.regions import place_regions
 from risorius.face.solve import FaceSolver
 from risorius.looks.attributes import ALBEDO

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from risorius.face.head import load_head
+from risorius.face.head.head import load_head
 from risorius.looks.tongue_paint import tongue_colours
 
 

@@ -22,7 +22,7 @@ from risorius.ports.writable import WritableTake
 
 if TYPE_CHECKING:
     from risorius.face.arkit_fit import ArkitTrack
-    from risorius.face.head import Head
+    from risorius.face.head.head import Head
 
 TakeMaker = Callable[..., WritableTake]
 Pictures = Callable[[tuple[int, int], Sequence[int]], Iterator[ByteArray]]

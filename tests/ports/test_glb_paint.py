@@ -7,7 +7,7 @@ import pytest
 
 from risorius.core.arrays import Array, ByteArray
 from risorius.core.parameters import NEUTRAL
-from risorius.face.head import Head, load_head
+from risorius.face.head.head import Head, load_head
 from risorius.face.solve import FaceSolver
 from risorius.looks.anatomy import find_anatomy
 from risorius.looks.attributes import INNER

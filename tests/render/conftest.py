@@ -7,7 +7,7 @@ import pytest
 
 from risorius.core.action_units import resolve_targets
 from risorius.core.parameters import INDEX, NEUTRAL
-from risorius.face.head import load_head
+from risorius.face.head.head import load_head
 from risorius.face.solve import FaceSolver
 from risorius.looks.head_model import head_model
 from risorius.render.software_renderer import SoftwareRenderer

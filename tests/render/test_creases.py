@@ -9,7 +9,7 @@ import pytest
 
 from risorius.core.action_units import resolve_targets
 from risorius.core.parameters import INDEX, NEUTRAL
-from risorius.face.head import load_head
+from risorius.face.head.head import load_head
 from risorius.face.layouts import Fold
 from risorius.face.regions import place_regions, region_names
 from risorius.face.solve import FaceSolver

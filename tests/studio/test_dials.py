@@ -8,7 +8,7 @@ import pytest
 from risorius.api import pose
 from risorius.core.parameters import INDEX, NAMES, NEUTRAL
 from risorius.errors import ParameterError
-from risorius.face.head import load_head
+from risorius.face.head.head import load_head
 from risorius.face.solve import FaceSolver
 from risorius.studio.dials import DialledFace, dialled
 

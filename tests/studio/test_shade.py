@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from risorius.face.head import load_head
+from risorius.face.head.head import load_head
 from risorius.ports.head_shade import light, shade
 
 

@@ -10,7 +10,7 @@ import pytest
 
 from risorius.core.action_units import resolve_targets
 from risorius.core.parameters import INDEX, NEUTRAL
-from risorius.face.head import load_head, shipped_heads
+from risorius.face.head.head import load_head, shipped_heads
 from risorius.face.solve import FaceSolver
 from risorius.looks.anatomy import find_anatomy
 from risorius.looks.garment import neckline

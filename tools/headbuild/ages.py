@@ -6,8 +6,8 @@ import numpy as np
 from scipy.sparse.linalg import splu
 
 from risorius.core.arrays import AnyArray
-from risorius.face.head_file import FORMAT
-from risorius.face.identity import OLD, YOUNG, Identity
+from risorius.face.head.head_file import FORMAT
+from risorius.face.head.identity import OLD, YOUNG, Identity
 
 from .build import Shape, packed
 from .jaw import fit_jaw

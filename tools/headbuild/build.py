@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 
 from risorius.core.arrays import AnyArray
-from risorius.face.head_file import FORMAT, JOINT
-from risorius.face.identity import Identity
+from risorius.face.head.head_file import FORMAT, JOINT
+from risorius.face.head.identity import Identity
 
 from .bite import Bite, find_bite
 from .bust import Bust, cut_bust

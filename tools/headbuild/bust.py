@@ -10,7 +10,7 @@ import scipy.sparse as sp
 from scipy.sparse.linalg import splu
 
 from risorius.core.arrays import AnyArray
-from risorius.face.identity import Identity
+from risorius.face.head.identity import Identity
 
 from .identity import body
 from .local import local_maps

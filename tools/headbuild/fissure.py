@@ -13,7 +13,7 @@ import scipy.sparse as sp
 from scipy.sparse.linalg import splu
 
 from risorius.core.arrays import AnyArray
-from risorius.face.identity import OLD, YOUNG
+from risorius.face.head.identity import OLD, YOUNG
 from risorius.face.numerics.subdivide import catmull_clark
 from risorius.looks.eyeball import IRIS
 

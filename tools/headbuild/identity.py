@@ -6,7 +6,7 @@ import numpy as np
 
 from risorius.core.arrays import AnyArray
 from risorius.errors import HeadError, unknown
-from risorius.face.identity import OLD, YOUNG, Identity
+from risorius.face.head.identity import OLD, YOUNG, Identity
 
 from .source import Source
 

@@ -14,7 +14,7 @@ from scipy.sparse.linalg import splu
 from risorius.core.arrays import AnyArray
 from risorius.core.parameters import MUSCLES
 from risorius.face.activations import joint_share
-from risorius.face.head_file import AND
+from risorius.face.head.head_file import AND
 
 from .bust import Bust
 from .folds import unfolded
@@ -29,7 +29,7 @@ _SEAM = 8.0  # half width in mm of the ramp that splits a shape of both sides
 _GLABELLA = (-6.0, 18.0)  # |x| in mm between which the skin between the brows passes into the brow
 
 _KEYS = ("shapes", "part", "origin", "insertion", "action")
-# The anatomy of a row, which the recipe does not need: `risorius.face.muscle_table` reads it.
+# The anatomy of a row, which the recipe does not need: `risorius.face.head.muscle_table` reads it.
 _ANATOMY = ("type", "line", "zone", "source")
 _DEFAULTS = {"lips": "free", "smooth": 0.0, "narrow": 0.0}
 _MEETING = ("lids to their meeting", "lower lip to the teeth")

@@ -8,7 +8,7 @@ import numpy as np
 
 from risorius.core.arkit import SHAPES
 from risorius.core.arrays import AnyArray
-from risorius.face.head_file import FORMAT
+from risorius.face.head.head_file import FORMAT
 
 from .build import Shape
 from .muscles import SIDES, ironed, joint_fields, muscle_fields, posed_field, read_recipes

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from risorius.core.arrays import AnyArray
-from risorius.face.head_file import FORMAT
+from risorius.face.head.head_file import FORMAT
 
 from .build import Shape
 from .mouth import lip_rings

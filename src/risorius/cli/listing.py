@@ -103,7 +103,7 @@ def outputs() -> Listing:
 
 def heads() -> Listing:
     """The heads that come with Risorius."""
-    from ..face.head import load_head, shipped_heads
+    from ..face.head.head import load_head, shipped_heads
 
     identities = {name: load_head(name).identity for name in shipped_heads()}
     return ("head", "age", "who"), [(name, f"{who.age:g}", who.title) for name, who in identities.items()]
@@ -113,7 +113,7 @@ def sliders() -> Listing:
     """The sliders of a head's shape (--shape NAME:VALUE)."""
     import numpy as np
 
-    from ..face.sliders import load_sliders
+    from ..face.head.sliders import load_sliders
 
     table = load_sliders()
     most = np.linalg.norm(table.skin, axis=-1).max(axis=-1)

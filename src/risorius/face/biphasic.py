@@ -12,7 +12,7 @@ import numpy as np
 
 from ..core.arrays import Array, IndexArray, UInt32Array
 from ..machine.kernels.jit import kernel
-from .head import Field, Head
+from .head.head import Field, Head
 from .muscles import MuscleFields, fields_of
 from .network import Network, pull
 from .numerics.mesh_sides import edges

@@ -17,9 +17,9 @@ from ..machine.kernels.jit import device, kernel
 from ..reading.frozen import FrozenDict
 from ..reading.toml import package_text, parse_rows
 from .compression import Compression, Zone
-from .head import Head
+from .head.head import Head
+from .head.marks import Marks
 from .layouts import Landmarks, Spacing, Vector, spot
-from .marks import Marks
 
 TABLE = "bulges.toml"
 # Loss of area that does not show yet: without it a bulge would begin abruptly.

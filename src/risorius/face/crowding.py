@@ -19,7 +19,7 @@ import numpy as np
 from ..core.arrays import AnyArray, Array, BoolArray, Int32Array, IntArray, UInt32Array
 from ..machine.array_cache import cached_arrays
 from ..machine.kernels.jit import kernel
-from .head import Head
+from .head.head import Head
 from .muscles import fields_of
 from .numerics.mesh_sides import unique_pairs
 

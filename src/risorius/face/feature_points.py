@@ -11,9 +11,9 @@ import numpy as np
 
 from ..core.arrays import Array, FloatArray, Int32Array
 from ..core.parameters import INDEX, NEUTRAL
-from .eyes import pitch_and_yaw
 from .frame import FaceFrame
-from .head import Head
+from .head.eyes import pitch_and_yaw
+from .head.head import Head
 from .jaw import Jaw
 from .tongue import TongueShapes
 

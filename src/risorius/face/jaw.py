@@ -15,7 +15,7 @@ from ..core.arrays import Array, FloatArray
 from ..core.parameters import INDEX
 from ..machine.array_cache import cached_arrays
 from ..machine.kernels.jit import kernel
-from .head import Head
+from .head.head import Head
 from .numerics.rotations import about_axis, turned
 from .throat import uncrowd
 

@@ -16,7 +16,7 @@ from ..core.units import Share
 from ..errors import InputError
 from ..machine.kernels.jit import kernel
 from ..reading.hints import Range, Then
-from .marks import Marks, plateau, ripple, smooth
+from .head.marks import Marks, plateau, ripple, smooth
 
 
 def _some(anchor: tuple[int, ...]) -> tuple[int, ...]:

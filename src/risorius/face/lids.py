@@ -20,7 +20,7 @@ import scipy.sparse as sp
 from ..core.arrays import Array, Int32Array
 from ..core.parameters import INDEX
 from ..machine.kernels.jit import device, kernel
-from .head import Head
+from .head.head import Head
 from .numerics.products import SparseRows, carry
 from .plate import nearby, response
 

@@ -12,8 +12,8 @@ from pathlib import Path
 import numpy as np
 
 from ..core.lip_rig import DEGREE, MEASURES, NONE, LipRig, rig_of_fit
-from .head_file import HeadFile
-from .head_folder import head_file
+from .head.head_file import HeadFile
+from .head.head_folder import head_file
 
 FILE = "lips.npz"
 

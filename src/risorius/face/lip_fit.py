@@ -12,7 +12,7 @@ from ..core.arrays import Array, Int64Array
 from ..core.articulators import APERTURE, FITTED
 from ..core.lip_rig import DEGREE, MEASURES, NONE, LipRig, rig_of_fit
 from ..core.parameters import BASES, INDEX, NEUTRAL
-from .head import Head, load_head
+from .head.head import Head, load_head
 from .measure import CORNERS, Gauge
 from .solve import FaceSolver
 

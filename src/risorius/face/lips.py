@@ -12,7 +12,7 @@ import scipy.sparse as sp
 from ..core.arrays import Array
 from ..core.articulators import SEAL_MM, WIDEST_MM
 from .contact import Contacts, find_contacts, keep_tight
-from .head import Head
+from .head.head import Head
 from .jaw import Jaw
 from .mouth import OVERLAP, Mouth, TeethEdge
 from .numerics.complementarity import Gaps, Workspace, solve_gaps

@@ -9,7 +9,7 @@ import numpy as np
 from ..core.arrays import Array, BoolArray, IndexArray, Int32Array
 from ..core.parameters import INDEX
 from .frame import FaceFrame
-from .head import Head
+from .head.head import Head
 from .mouth import Mouth
 
 MIDLINE = 0.75  # mm from the middle at rest; vertices that are nearer form the lips' profile

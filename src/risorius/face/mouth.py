@@ -10,7 +10,7 @@ from scipy.spatial import cKDTree
 
 from ..core.arrays import Array, BoolArray, IndexArray, Int32Array
 from .contact import Contacts, Facing, find_contacts
-from .head import Head, TeethMesh
+from .head.head import Head, TeethMesh
 from .jaw import Jaw
 
 REACH = 5.0  # mm from the line on which the lips meet to the farthest point that may touch

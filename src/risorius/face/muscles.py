@@ -20,7 +20,7 @@ from ..core.parameters import INDEX, PARAMETERS
 from ..errors import HeadError
 from ..machine.kernels.jit import device, kernel
 from .activations import YIELDS, Yields, activate, yields_of
-from .head import Field, Head
+from .head.head import Field, Head
 from .numerics.fours import (
     LANES,
     Four,

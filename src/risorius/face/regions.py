@@ -15,9 +15,9 @@ from ..errors import InputError, unknown
 from ..machine.array_cache import cached_arrays
 from ..reading.toml import package_text, parse_rows
 from .compression import Zone
-from .head import Head
+from .head.head import Head
+from .head.marks import Marks
 from .layouts import Dimples, Fan, Fold, Layout, Lines, Millimetres, Spacing
-from .marks import Marks
 
 TABLE = "wrinkles.toml"
 _LAYOUTS = ("lines", "fan", "fold", "dimples")

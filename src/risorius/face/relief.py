@@ -14,9 +14,9 @@ import numpy as np
 
 from ..core.arrays import Array
 from .crowding import LEAST_WIDTH, Distances, altitudes
-from .head import Head
+from .head.head import Head
+from .head.marks import Marks
 from .layouts import Fold
-from .marks import Marks
 from .numerics.quads import quad_normals
 from .regions import PlacedRegion
 

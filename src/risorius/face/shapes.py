@@ -20,8 +20,8 @@ from ..core.arrays import Array
 from ..core.parameters import INDEX as PARAMETER
 from ..core.parameters import NEUTRAL
 from ..errors import HeadError, Place
-from .head import Head
-from .head_file import HeadFile
+from .head.head import Head
+from .head.head_file import HeadFile
 from .jaw import Jaw
 from .solve import FaceSolver
 from .tongue import TongueShapes

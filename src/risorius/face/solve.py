@@ -21,12 +21,12 @@ from ..machine.blas import one_thread
 from .ageing import DEFAULT_AGE
 from .biphasic import Biphasic
 from .crowding import Crowding
-from .eyes import eye_rotations, pitch_and_yaw
 from .frame import FaceFrame, FrameBuffers
-from .head import Head
+from .head.eyes import eye_rotations, pitch_and_yaw
+from .head.head import Head
+from .head.links import Links, load_links
 from .jaw import Jaw
 from .lids import both_lids
-from .links import Links, load_links
 from .lips import Lips
 from .muscles import DisplacedSkin, MuscleFields, put_at
 from .network import Network

@@ -15,7 +15,7 @@ from ..core.arrays import Array, IndexArray, UInt32Array, UIntArray
 from ..core.parameters import NAMES
 from ..machine.kernels.jit import device, kernel
 from .biphasic import Biphasic
-from .links import NO_LINKS, Links
+from .head.links import NO_LINKS, Links
 from .muscles import AT_ONCE, DisplacedSkin, MuscleFields
 from .network import Network, add_pull
 from .numerics.cholesky import substitute

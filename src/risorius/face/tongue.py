@@ -14,7 +14,7 @@ import scipy.sparse as sp
 from ..core.arrays import Array, IndexArray
 from ..core.parameters import INDEX
 from ..machine.kernels.jit import kernel
-from .head import TONGUE_FIELDS, Head
+from .head.head import TONGUE_FIELDS, Head
 from .jaw import Jaw
 
 LYING = 0.62  # share of its height above its floor that the tongue loses with the jaw wide open

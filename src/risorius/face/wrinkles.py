@@ -18,9 +18,9 @@ from ..machine.kernels.jit import device, kernel
 from .ageing import DEFAULT_AGE, SkinAge, skin_at
 from .bulges import Bulges
 from .compression import Compression
-from .head import Head
+from .head.head import Head
+from .head.marks import Marks
 from .layouts import Dimples, Fold
-from .marks import Marks
 from .regions import PlacedRegion, check_factors, place_regions
 from .relief import relief
 

@@ -18,8 +18,8 @@ import numpy as np
 from ..core.arrays import Array
 from ..core.parameters import INDEX
 from ..face.arkit_fit import NO_WAY, ArkitFit
-from ..face.eyes import pitch_and_yaw
 from ..face.frame import FaceFrame
+from ..face.head.eyes import pitch_and_yaw
 from ..face.solve import FaceSolver
 from ..face.springs import RATE
 from ..settings import Settings

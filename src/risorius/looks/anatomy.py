@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ..core.arrays import Array, FloatArray
-from ..face.head import Head
+from ..face.head.head import Head
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..core.look import ByteColour
-from ..face.identity import Looks
+from ..face.head.identity import Looks
 from ..settings import Look
 
 # The colours of skin, lips and the mouth's lining for five complexions, evenly spaced from 0 to 1.

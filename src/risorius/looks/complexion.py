@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import Array, Float32Array
-from ..face.identity import Looks
+from ..face.head.identity import Looks
 from .anatomy import Anatomy, smoothstep
 from .attributes import ALBEDO, ATTRIBUTES, CURVATURE, EXTRA, INNER, MAX_CURVATURE, ROUGHNESS, SPECULAR
 from .noise import noise_at

@@ -9,7 +9,7 @@ from typing import TypeAlias
 import numpy as np
 
 from ..core.arrays import AnyArray, Array
-from ..face.identity import Looks
+from ..face.head.identity import Looks
 from .anatomy import Anatomy
 from .hairline import grow_hairline
 from .kept_hairs import kept_hairs

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from ..core.arrays import Array
-from ..face.head import Head
-from ..face.identity import Looks
+from ..face.head.head import Head
+from ..face.head.identity import Looks
 from .anatomy import Anatomy, find_anatomy
 from .brows import grow_brows
 from .greying import greyed, greyed_colour

@@ -6,7 +6,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..core.arrays import Array
-from ..face.head import Head
+from ..face.head.head import Head
 from .strands import Strands, join
 from .surface import Surface, unit
 

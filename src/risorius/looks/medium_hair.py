@@ -9,7 +9,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..core.arrays import Array
-from ..face.identity import Looks
+from ..face.head.identity import Looks
 from .anatomy import Anatomy, smoothstep
 from .locks import gather_locks, height_over_skin, respaced, smoothed, waved
 from .noise import noise_at

@@ -9,8 +9,8 @@ import numpy as np
 
 from ..core.arrays import Array, BoolArray, Float32Array, IndexArray, Int64Array
 from ..core.parameters import INDEX, MUSCLES
-from ..face.head import Head, load_head
-from ..face.muscle_table import Muscle
+from ..face.head.head import Head, load_head
+from ..face.head.muscle_table import Muscle
 from ..machine.kernels.jit import f4
 from .anatomy import Anatomy, find_anatomy
 from .parts import skin_surface

@@ -8,8 +8,8 @@ import numpy as np
 
 from ..core.arrays import Array, Float32Array, Int32Array, Int64Array
 from ..core.look import ByteColour
-from ..face.head import Head, TeethMesh
-from ..face.identity import Looks
+from ..face.head.head import Head, TeethMesh
+from ..face.head.identity import Looks
 from .anatomy import Anatomy
 from .attributes import (
     ALBEDO,

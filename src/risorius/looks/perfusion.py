@@ -19,8 +19,8 @@ import scipy.sparse as sp
 from ..core.arrays import Array, Float32Array, UInt32Array, UIntArray
 from ..core.parameters import INDEX
 from ..face.frame import FaceFrame
-from ..face.head import Head
-from ..face.identity import Looks
+from ..face.head.head import Head
+from ..face.head.identity import Looks
 from ..face.numerics.products import SparseRows
 from ..face.regions import place_regions
 from ..machine.kernels.jit import f4, kernel

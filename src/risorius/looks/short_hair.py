@@ -6,7 +6,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..core.arrays import Array
-from ..face.identity import Looks
+from ..face.head.identity import Looks
 from .anatomy import Anatomy, smoothstep
 from .locks import gather_locks, height_over_skin, smoothed
 from .scalp import LAYERS, HairRoots, flow, grow_layers, inside_hairline, layer_heights, styled_density

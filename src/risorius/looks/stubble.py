@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import Array
-from ..face.identity import Looks
+from ..face.head.identity import Looks
 from .anatomy import Anatomy, smoothstep
 from .scalp import flow, grow_roots, hair_density, inside_hairline
 from .strands import Strands

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..core.arrays import Array
-from ..face.identity import Looks
+from ..face.head.identity import Looks
 from .anatomy import Anatomy, smoothstep
 from .locks import height_over_skin, respaced, smoothed
 from .parting import beside_parting, from_parting, parted, wander

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import Float32Array
-from ..face.head import Head
+from ..face.head.head import Head
 
 _FINE = 0.28  # strength of the edges that subdivision added
 

@@ -14,7 +14,7 @@ import numpy as np
 from ..core.arrays import Array
 from ..core.progress import Progress
 from ..face.frame import FaceFrame
-from ..face.head import Head
+from ..face.head.head import Head
 from .formats import register
 from .table import write_lines
 from .writable import WritableTake, WriteOptions

@@ -18,7 +18,7 @@ import numpy as np
 
 from ..core.arrays import Array, Float32Array, Int16Array
 from ..face.frame import FaceFrame
-from ..face.head import Head
+from ..face.head.head import Head
 from ..looks.eyeball import pupil_axes
 from ..looks.head_model import FACIAL_HAIRS, head_model
 from ..looks.parts import Part

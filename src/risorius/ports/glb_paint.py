@@ -15,7 +15,7 @@ from functools import cached_property
 import numpy as np
 
 from ..core.arrays import Array, ByteArray, FloatArray
-from ..face.head import Head
+from ..face.head.head import Head
 from ..looks.anatomy import Anatomy, find_anatomy, smoothstep
 from ..looks.attributes import ALBEDO, INNER, SKIN, TEETH, TONGUE
 from ..looks.eyeball import iris_picture

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..core.arrays import Array, ByteArray, IntArray
-from ..face.head import Head
+from ..face.head.head import Head
 from ..looks.attributes import HAIR, OCCLUSION, SPECULAR
 from ..looks.eyeball import pupil_axes
 from ..looks.parts import Part

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import Array, ByteArray, Float32Array, IntArray
-from ..face.head import Head
+from ..face.head.head import Head
 from ..face.regions import place_regions
 from ..render.creases import Creases, lay_creases
 from .stage_table import StageFolds

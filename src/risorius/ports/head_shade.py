@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..face.head import Head
+from ..face.head.head import Head
 from ..looks.anatomy import find_anatomy
 from ..looks.attributes import CURVATURE, INNER, MAX_CURVATURE, ROUGHNESS, SPECULAR
 from ..looks.garment import neckline

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..core.arrays import Array
 from ..face.frame import FaceFrame
-from ..face.head import Head
+from ..face.head.head import Head
 from ..looks.head_model import head_model
 from ..looks.parts import Part
 from ..looks.riding import RidingHairs

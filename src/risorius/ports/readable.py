@@ -12,7 +12,7 @@ from ..core.score import Score
 from ..core.utterance import Utterance
 
 if TYPE_CHECKING:
-    from ..face.head import Head
+    from ..face.head.head import Head
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,7 @@ from ..core.arkit import SHAPES
 from ..core.arrays import Array
 from ..errors import OutputError
 from ..face.arkit_fit import ArkitTrack
-from ..face.head import Head
+from ..face.head.head import Head
 from ..face.numerics.rotations import head_rotation
 from ..face.shapes import arkit_shapes
 from ..looks.head_model import head_model

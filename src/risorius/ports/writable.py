@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from ..core.utterance import Utterance
     from ..face.arkit_fit import ArkitTrack
     from ..face.frame import FaceFrame
-    from ..face.head import Head
+    from ..face.head.head import Head
 
 
 class WritableTake(Protocol):

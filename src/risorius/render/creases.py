@@ -7,9 +7,9 @@ from typing import Annotated, NamedTuple
 import numpy as np
 
 from ..core.arrays import Array, Float32Array, Int32Array, IntArray
-from ..face.head import Head
+from ..face.head.head import Head
+from ..face.head.marks import Marks
 from ..face.layouts import Dimples, Fold
-from ..face.marks import Marks
 from ..face.regions import PlacedRegion, place_regions
 from ..looks.noise import noise_at
 from ..machine.array_cache import cached_arrays

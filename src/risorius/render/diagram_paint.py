@@ -8,7 +8,7 @@ import numpy as np
 
 from ..core.arrays import Array, Float32Array
 from ..core.parameters import NEUTRAL
-from ..face.head import Head
+from ..face.head.head import Head
 from ..looks.muscle_paint import MusclePaint, colours, place_muscles
 from ..looks.wireframe import edge_strengths
 from .inputs import Paint

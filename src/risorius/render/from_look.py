@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..core.look import Size
-from ..face.head import Head
+from ..face.head.head import Head
 from ..looks.apply_look import apply_look
 from ..looks.head_model import head_model
 from ..settings import Look

@@ -25,7 +25,7 @@ from ..core.look import Size
 from ..core.progress import Progress
 from ..core.registry import Registry
 from ..face.frame import FaceFrame
-from ..face.head import Head
+from ..face.head.head import Head
 from ..settings import Look
 
 DEFAULT = "software"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.arrays import Float32Array
-from ..face.head import Head
+from ..face.head.head import Head
 from ..looks.attributes import OCCLUSION
 from ..looks.head_model import head_model
 from .lights import LightRig

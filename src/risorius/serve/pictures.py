@@ -21,7 +21,7 @@ from starlette.routing import Route
 from ..core.arrays import ByteArray
 from ..core.parameters import NAMES, NEUTRAL, PARAMETERS
 from ..errors import InputError, RisoriusError, unknown
-from ..face.head import shipped_heads
+from ..face.head.head import shipped_heads
 from ..face.solve import FaceSolver
 from ..looks.apply_look import apply_look
 from ..looks.head_model import head_model

@@ -260,16 +260,17 @@ class Settings(metaclass=Named):
         "A file of rules that are added to the built-in ones, or replace or delete some of them.",
         metavar="FILE", on_page=False)
     head: str = _head(
-        "Head", "standard", "The head that performs: its name, or its folder.", names="face.head:head_titles",
-        find="face.head_folder:head_file")
+        "Head", "standard", "The head that performs: its name, or its folder.",
+        names="face.head.head:head_titles",
+        find="face.head.head_folder:head_file")
     age: float | None = _shape(
         "Age", None, "How old the head is, {low} to {high}.",
         metavar="YEARS", low=0.0, high=100.0, step=1.0, unset="its own")
     shape: Mapping[str, float] = _shape(
         "Shape", {}, "A slider of the head's shape, {low} to {high}, e.g. nose_width:0.5; may be repeated. "
         "`list sliders` names them.",
-        metavar="NAME:VALUE", low=-1.0, high=1.0, names="face.sliders:slider_names", what="slider",
-        read="face.sliders:parse_slider", on_page=False)
+        metavar="NAME:VALUE", low=-1.0, high=1.0, names="face.head.sliders:slider_names", what="slider",
+        read="face.head.sliders:parse_slider", on_page=False)
     muscles: str = _shape(
         "Muscles", "fields",
         "How muscles act: {names}.", names=choices.MUSCLE_MODES, what="manner of muscles", on_page=False)

@@ -21,7 +21,7 @@ from starlette.websockets import WebSocket
 from ..api import speak
 from ..browser import ROOT
 from ..errors import InputError, RisoriusError, unknown
-from ..face.head import shipped_heads
+from ..face.head.head import shipped_heads
 from ..ports.head_glb import head_glb
 from ..ports.head_shade import shade
 from ..ports.skin_formulas import skin_tables

@@ -14,7 +14,7 @@ from ..core.action_units import ACTION_UNITS, ActionUnit, resolve_targets
 from ..core.channels import CHANNELS
 from ..core.functions import ONSET_FUNCTIONS
 from ..core.parameters import ALIASES, PARAMETERS, RIVALS, Parameter
-from ..face.head import load_head, shipped_heads
+from ..face.head.head import load_head, shipped_heads
 from ..ports.formats import FORMATS, FileFormat
 from ..rules.emotions import Emotion, emotions
 from ..rules.profiles import Profile, attitudes, profile_texts, profiles

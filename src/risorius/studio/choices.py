@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ..core.score import BlendSettings
 from ..errors import InputError, unknown
-from ..face.head import shipped_heads
+from ..face.head.head import shipped_heads
 from ..rules.profiles import profile as named_profile
 from ..rules.profiles import profile_from, profile_texts
 from ..rules.rule_set import extended, shipped

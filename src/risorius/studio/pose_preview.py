@@ -12,7 +12,7 @@ import numpy as np
 from ..core.arrays import Array
 from ..core.parameters import NAMES
 from ..errors import InputError, unknown
-from ..face.head import shipped_heads
+from ..face.head.head import shipped_heads
 from ..ports.face_packer import DIALLED
 from ..settings import Settings
 from .dials import SETTLED, DialledFace, dialled

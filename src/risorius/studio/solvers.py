@@ -8,7 +8,7 @@ from contextlib import asynccontextmanager
 from functools import lru_cache
 
 from ..core.parameters import NEUTRAL
-from ..face.head import head_of
+from ..face.head.head import head_of
 from ..face.solve import FaceSolver
 from ..looks.apply_look import apply_look
 from ..ports.face_packer import FacePacker

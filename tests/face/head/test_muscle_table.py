@@ -7,7 +7,7 @@ import pytest
 
 from risorius.core.parameters import MUSCLES
 from risorius.errors import HeadError, InputError
-from risorius.face.muscle_table import NAMES, ForceType, load_muscles
+from risorius.face.head.muscle_table import NAMES, ForceType, load_muscles
 
 
 @pytest.fixture
@@ -63,7 +63,7 @@ def test_rows_know_their_links(head):
 
 
 def test_a_head_without_tables_has_those_of_the_standard_one(head, tmp_path):
-    from risorius.face.head import load_head
+    from risorius.face.head.head import load_head
 
     shutil.copy(head.folder / "head.npz", tmp_path)
     plain = load_head(tmp_path)

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.face.eyes import eye_rotations, pitch_and_yaw
+from risorius.face.head.eyes import eye_rotations, pitch_and_yaw
 from risorius.face.numerics.rotations import direction
 from tests.profiles import examples
 

@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 from risorius.errors import HeadError
-from risorius.face.anatomy import FILE, Skin, anatomical_fields, from_line, load_pulls
-from risorius.face.head import load_head, required_fields, shipped_heads
-from risorius.face.muscle_table import load_muscles
+from risorius.face.head.anatomy import FILE, Skin, anatomical_fields, from_line, load_pulls
+from risorius.face.head.head import load_head, required_fields, shipped_heads
+from risorius.face.head.muscle_table import load_muscles
 from risorius.face.solve import FaceSolver
 from tests.profiles import everyday
 
-from .conftest import EMOTIONS, values_of
+from ..conftest import EMOTIONS, values_of
 
 BASES = tuple(dict.fromkeys(name.partition(".")[0] for name in required_fields()))
 # R² against the calibrated fields, as tools/fit_anatomy.py prints them, and a little less. Weights along the

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from risorius.errors import HeadError
-from risorius.face.head import load_head, shipped_heads
-from risorius.face.sliders import check_sliders, load_sliders, parse_slider, slider_names
+from risorius.face.head.head import load_head, shipped_heads
+from risorius.face.head.sliders import check_sliders, load_sliders, parse_slider, slider_names
 from tests.profiles import everyday
 
-from .laws import Laws
+from ..laws import Laws
 
 BY_SIZE = {"face_length": 9.0, "fullness": 7.0, "nose_width": 3.0, "chin_length": 9.0, "ear_size": 9.0}
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from importlib import resources
 from pathlib import Path
 
-from ..errors import HeadError, unknown
-from ..machine.paths import is_file, is_folder
+from ...errors import HeadError, unknown
+from ...machine.paths import is_file, is_folder
 
 FILE = "head.npz"
 

@@ -15,8 +15,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.arrays import Array
-from ..errors import HeadError, unknown
+from ...core.arrays import Array
+from ...errors import HeadError, unknown
 from .head_file import HeadFile
 
 FILE = "sliders.npz"

@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from ..core.arrays import Array
-from .numerics.rotations import forward_rows, towards
+from ...core.arrays import Array
+from ..numerics.rotations import forward_rows, towards
 
 MM_PER_M = 1000.0
 

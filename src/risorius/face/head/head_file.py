@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.arrays import AnyArray, Array, Int32Array
-from ..core.parameters import INDEX
-from ..errors import HeadError, Place
-from ..machine.npz import read_arrays
+from ...core.arrays import AnyArray, Array, Int32Array
+from ...core.parameters import INDEX
+from ...errors import HeadError, Place
+from ...machine.npz import read_arrays
 
 FORMAT = 1
 JOINT, AND = "joint/", "+"  # how the names of fields of two muscles begin, and what stands between the two

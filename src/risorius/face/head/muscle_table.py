@@ -7,11 +7,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated, Literal
 
-from ..core.links import Link
-from ..core.parameters import MUSCLES
-from ..errors import HeadError, ParameterError, Place, unknown
-from ..reading.hints import Range
-from ..reading.toml import load_rows
+from ...core.links import Link
+from ...core.parameters import MUSCLES
+from ...errors import HeadError, ParameterError, Place, unknown
+from ...reading.hints import Range
+from ...reading.toml import load_rows
 
 FILE = "muscles.toml"
 NAMES = (*dict.fromkeys(m.base for m in MUSCLES), "lip_tuck")

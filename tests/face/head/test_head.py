@@ -10,7 +10,7 @@ import pytest
 import risorius.heads
 from risorius.core.parameters import MUSCLES
 from risorius.errors import HeadError
-from risorius.face.head import Field, Head, load_head, required_fields
+from risorius.face.head.head import Field, Head, load_head, required_fields
 
 FILE = Path(next(iter(risorius.heads.__path__))) / "standard" / "head.npz"
 Arrays = dict[str, np.ndarray]

@@ -11,9 +11,10 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from ..core.arrays import Array, FloatArray, Int32Array
-from ..core.parameters import MUSCLES
-from ..errors import HeadError
+from ...core.arrays import Array, FloatArray, Int32Array
+from ...core.parameters import MUSCLES
+from ...errors import HeadError
+from ..numerics.subdivide import Subdivision, catmull_clark
 from . import ages as age_file
 from . import identity as identity_file
 from .ages import AgeShapes, check_age, read_ages
@@ -24,7 +25,6 @@ from .identity import UNNAMED, Identity, read_identity
 from .links import link_rows
 from .muscle_table import FILE as MUSCLE_TABLE
 from .muscle_table import Muscle, links_of, load_muscles
-from .numerics.subdivide import Subdivision, catmull_clark
 from .sliders import check_sliders, load_sliders
 
 EXTRA_FIELDS = ("lip_tuck",)

@@ -8,11 +8,11 @@ from hypothesis import strategies as st
 from risorius.core.links import Link
 from risorius.core.parameters import INDEX, MUSCLES, NEUTRAL, RIVALS
 from risorius.errors import InputError, ParameterError
-from risorius.face.links import NO_LINKS, Links, load_links
+from risorius.face.head.links import NO_LINKS, Links, load_links
 from risorius.face.solve import FaceSolver
 from tests.profiles import examples
 
-from .conftest import values_of
+from ..conftest import values_of
 
 NASI, SUPERIORIS = "levator_labii_nasi", "levator_labii_superioris"
 

@@ -9,7 +9,7 @@ import pytest
 
 import risorius.heads
 from risorius.errors import HeadError
-from risorius.face.head import load_head, shipped_heads
+from risorius.face.head.head import load_head, shipped_heads
 from tests.profiles import everyday
 
 HEADS = Path(next(iter(risorius.heads.__path__)))

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.arrays import Array
-from ..errors import HeadError
+from ...core.arrays import Array
+from ...errors import HeadError
 from .head_file import HeadFile
 
 FILE = "ages.npz"

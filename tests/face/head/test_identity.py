@@ -3,8 +3,8 @@ from __future__ import annotations
 import pytest
 
 from risorius.errors import HeadError
-from risorius.face.head import load_head, shipped_heads
-from risorius.face.identity import OLD, YOUNG, Identity, Looks, grey_share, read_identity
+from risorius.face.head.head import load_head, shipped_heads
+from risorius.face.head.identity import OLD, YOUNG, Identity, Looks, grey_share, read_identity
 
 GOOD = """
 title = "someone"

@@ -8,12 +8,12 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Annotated, Literal
 
-from ..core.look import HAIR_STYLES, ByteColour
-from ..core.units import Share, SignedShare
-from ..errors import HeadError, InputError, unknown
-from ..reading.hints import Range, Then
-from ..reading.source_text import SourceText
-from ..reading.toml import parse, read_text
+from ...core.look import HAIR_STYLES, ByteColour
+from ...core.units import Share, SignedShare
+from ...errors import HeadError, InputError, unknown
+from ...reading.hints import Range, Then
+from ...reading.source_text import SourceText
+from ...reading.toml import parse, read_text
 
 YOUNG, OLD = 25.0, 90.0  # years at which the source's young and old shapes stand
 FILE = "identity.toml"

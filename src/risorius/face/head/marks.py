@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.arrays import Array, FloatArray
+from ...core.arrays import Array, FloatArray
 from .head import Head
 
 EYE_DISTANCE = 57.8  # mm between the eyes of the face on which the tables' places were measured

@@ -17,13 +17,13 @@ import numpy as np
 from scipy.sparse.linalg import splu
 from scipy.spatial.distance import cdist
 
-from ..core.arrays import Array, Int32Array, IntArray
-from ..errors import HeadError, Place
-from ..machine.npz import read_arrays
+from ...core.arrays import Array, Int32Array, IntArray
+from ...errors import HeadError, Place
+from ...machine.npz import read_arrays
+from ..numerics.quads import quad_normals
+from ..numerics.stiffness import spring_stiffness
 from .muscle_table import FILE as TABLE
 from .muscle_table import ForceType, Muscle
-from .numerics.quads import quad_normals
-from .numerics.stiffness import spring_stiffness
 
 FILE = "anatomy.npz"
 REACH = 5.5  # mm over which the weights vary
