@@ -10,7 +10,7 @@ from risorius.face.contact import Contacts, find_contacts
 from risorius.face.head.links import NO_LINKS
 from risorius.face.lids import FRONT
 from risorius.face.mouth import Mouth, TeethEdge
-from risorius.face.muscles import ELSEWHERE
+from risorius.face.muscles.muscles import ELSEWHERE
 from risorius.face.solve import FaceSolver
 from risorius.looks.eyeball import IRIS
 

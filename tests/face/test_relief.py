@@ -2,9 +2,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from risorius.face.crowding import Distances, altitudes
 from risorius.face.head.head import load_head
 from risorius.face.head.marks import Marks
+from risorius.face.muscles.crowding import Distances, altitudes
 from risorius.face.regions import place_regions
 from risorius.face.relief import NARROWED, relief
 from risorius.face.solve import FaceSolver

@@ -7,7 +7,7 @@ import pytest
 
 from risorius.core.parameters import MUSCLES, NEUTRAL
 from risorius.face.biphasic import Biphasic
-from risorius.face.muscles import ELSEWHERE, MuscleFields
+from risorius.face.muscles.muscles import ELSEWHERE, MuscleFields
 from risorius.face.network import Network
 from risorius.face.springs import RATE, Springs
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from risorius.face.head.head import load_head
-from risorius.face.jaw import Jaw
+from risorius.face.muscles.jaw import Jaw
 from risorius.face.solve import FaceSolver
 from risorius.face.teeth import LONG, SHORT, Teeth
 from risorius.face.tooth_row import ToothRow

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from risorius.core.arrays import AnyArray
-from risorius.face.crowding import Distances, altitudes, relieve, struts
+from risorius.face.muscles.crowding import Distances, altitudes, relieve, struts
 
 from .bust import Bust
 

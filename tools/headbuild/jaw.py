@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from risorius.core.arrays import AnyArray
+from risorius.face.muscles.throat import uncrowd
 from risorius.face.numerics.rotations import turned
-from risorius.face.throat import uncrowd
 
 from .bust import Bust
 from .mouth import lip_rings

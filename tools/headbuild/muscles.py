@@ -13,8 +13,8 @@ from scipy.sparse.linalg import splu
 
 from risorius.core.arrays import AnyArray
 from risorius.core.parameters import MUSCLES
-from risorius.face.activations import joint_share
 from risorius.face.head.head_file import AND
+from risorius.face.muscles.activations import joint_share
 
 from .bust import Bust
 from .folds import unfolded

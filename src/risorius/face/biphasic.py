@@ -13,7 +13,7 @@ import numpy as np
 from ..core.arrays import Array, IndexArray, UInt32Array
 from ..machine.kernels.jit import kernel
 from .head.head import Field, Head
-from .muscles import MuscleFields, fields_of
+from .muscles.muscles import MuscleFields, fields_of
 from .network import Network, pull
 from .numerics.mesh_sides import edges
 from .numerics.stiffness import NEIGHBOUR

@@ -14,8 +14,8 @@ from ..core.parameters import INDEX, NEUTRAL
 from .frame import FaceFrame
 from .head.eyes import pitch_and_yaw
 from .head.head import Head
-from .jaw import Jaw
-from .tongue import TongueShapes
+from .muscles.jaw import Jaw
+from .muscles.tongue import TongueShapes
 
 COUNT = 68
 ANGLE = 1e-5

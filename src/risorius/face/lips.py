@@ -13,8 +13,8 @@ from ..core.arrays import Array
 from ..core.articulators import SEAL_MM, WIDEST_MM
 from .contact import Contacts, find_contacts, keep_tight
 from .head.head import Head
-from .jaw import Jaw
 from .mouth import OVERLAP, Mouth, TeethEdge
+from .muscles.jaw import Jaw
 from .numerics.complementarity import Gaps, Workspace, solve_gaps
 from .numerics.products import SparseRows, carry, carry_upwards
 from .plate import Response, nearby, response

@@ -15,7 +15,7 @@ import numpy as np
 from ..core.arrays import Array
 from ..core.performance import Performance
 from .frame import FaceFrame, FrameBuffers
-from .muscles import AT_ONCE
+from .muscles.muscles import AT_ONCE
 from .solve import FaceSolver, checked_rows
 from .springs import RATE, Springs
 

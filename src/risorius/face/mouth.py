@@ -11,7 +11,7 @@ from scipy.spatial import cKDTree
 from ..core.arrays import Array, BoolArray, IndexArray, Int32Array
 from .contact import Contacts, Facing, find_contacts
 from .head.head import Head, TeethMesh
-from .jaw import Jaw
+from .muscles.jaw import Jaw
 
 REACH = 5.0  # mm from the line on which the lips meet to the farthest point that may touch
 STATIONS = 19  # places along that line; the mesh cannot bend more finely

@@ -18,7 +18,7 @@ import scipy.sparse as sp
 from ..core.arrays import Array, BoolArray, IndexArray, UInt32Array
 from ..machine.kernels.jit import device, i8, kernel
 from .head.head import Head
-from .muscles import fields_of
+from .muscles.muscles import fields_of
 from .numerics.cholesky import Factor, sparing_order
 from .numerics.fours import added_times, gathered, set_row
 from .numerics.fours import row as row_at

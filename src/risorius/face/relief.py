@@ -13,10 +13,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..core.arrays import Array
-from .crowding import LEAST_WIDTH, Distances, altitudes
 from .head.head import Head
 from .head.marks import Marks
 from .layouts import Fold
+from .muscles.crowding import LEAST_WIDTH, Distances, altitudes
 from .numerics.quads import quad_normals
 from .regions import PlacedRegion
 

@@ -22,9 +22,9 @@ from ..core.parameters import NEUTRAL
 from ..errors import HeadError, Place
 from .head.head import Head
 from .head.head_file import HeadFile
-from .jaw import Jaw
+from .muscles.jaw import Jaw
+from .muscles.tongue import TongueShapes
 from .solve import FaceSolver
-from .tongue import TongueShapes
 
 FILE = "shapes.npz"
 _SHUT = {

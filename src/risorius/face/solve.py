@@ -20,21 +20,21 @@ from ..errors import ParameterError
 from ..machine.blas import one_thread
 from .ageing import DEFAULT_AGE
 from .biphasic import Biphasic
-from .crowding import Crowding
 from .frame import FaceFrame, FrameBuffers
 from .head.eyes import eye_rotations, pitch_and_yaw
 from .head.head import Head
 from .head.links import Links, load_links
-from .jaw import Jaw
 from .lids import both_lids
 from .lips import Lips
-from .muscles import DisplacedSkin, MuscleFields, put_at
+from .muscles.crowding import Crowding
+from .muscles.jaw import Jaw
+from .muscles.muscles import DisplacedSkin, MuscleFields, put_at
+from .muscles.tongue import TongueShapes
 from .network import Network
 from .numerics.products import AlikeRows, without_fourth
 from .numerics.rotations import head_rotation
 from .springs import Springs
 from .teeth import Teeth
-from .tongue import TongueShapes
 from .wrinkles import Wrinkles
 
 # Curves are sums of floating-point numbers: a value so little outside its range counts as the end of it.

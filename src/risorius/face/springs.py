@@ -16,7 +16,7 @@ from ..core.parameters import NAMES
 from ..machine.kernels.jit import device, kernel
 from .biphasic import Biphasic
 from .head.links import NO_LINKS, Links
-from .muscles import AT_ONCE, DisplacedSkin, MuscleFields
+from .muscles.muscles import AT_ONCE, DisplacedSkin, MuscleFields
 from .network import Network, add_pull
 from .numerics.cholesky import substitute
 from .numerics.stiffness import REST

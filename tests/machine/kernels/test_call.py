@@ -12,8 +12,8 @@ import pytest
 
 from risorius.core.arrays import Array
 from risorius.face.head.links import _apply
-from risorius.face.jaw import turn_about
 from risorius.face.lids import _aim
+from risorius.face.muscles.jaw import turn_about
 from risorius.face.numerics.far_vertices import _leave
 from risorius.face.numerics.products import SparseRows, _times, without_fourth
 from risorius.looks.normals import face_normals, vertex_normals

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from risorius.core.parameters import INDEX, parameters_named
-from risorius.face.activations import YIELDS
-from risorius.face.muscles import MuscleFields
+from risorius.face.muscles.activations import YIELDS
+from risorius.face.muscles.muscles import MuscleFields
 
-from .conftest import values_of
+from ..conftest import values_of
 
 PRESSER = "orbicularis_oris_presser"
 

@@ -8,17 +8,10 @@ import pytest
 
 from risorius.core.parameters import INDEX, MUSCLES, PARAMETERS
 from risorius.errors import HeadError
-from risorius.face.activations import HALF, YIELDS, joint_share
-from risorius.face.muscles import (
-    ELSEWHERE,
-    EXCESS,
-    FREE_EXCESS,
-    SHEETS,
-    DisplacedSkin,
-    MuscleFields,
-)
+from risorius.face.muscles.activations import HALF, YIELDS, joint_share
+from risorius.face.muscles.muscles import ELSEWHERE, EXCESS, FREE_EXCESS, SHEETS, DisplacedSkin, MuscleFields
 
-from .conftest import values_of
+from ..conftest import values_of
 
 PRESSER = "orbicularis_oris_presser"
 

@@ -17,9 +17,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..core.arrays import Array, UInt32Array
-from ..core.parameters import INDEX, parameters_named
-from ..machine.kernels.jit import device, kernel
+from ...core.arrays import Array, UInt32Array
+from ...core.parameters import INDEX, parameters_named
+from ...machine.kernels.jit import device, kernel
 
 # The share of its activation that each of two muscles loses where both contract fully. Numbers are ours: with
 # them lips that are sucked in stay shut while the chin rises.

@@ -16,12 +16,12 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..core.arrays import AnyArray, Array, BoolArray, Int32Array, IntArray, UInt32Array
-from ..machine.array_cache import cached_arrays
-from ..machine.kernels.jit import kernel
-from .head.head import Head
+from ...core.arrays import AnyArray, Array, BoolArray, Int32Array, IntArray, UInt32Array
+from ...machine.array_cache import cached_arrays
+from ...machine.kernels.jit import kernel
+from ..head.head import Head
+from ..numerics.mesh_sides import unique_pairs
 from .muscles import fields_of
-from .numerics.mesh_sides import unique_pairs
 
 LEAST = 0.6  # share of an edge's length at rest that remains along its direction
 LEAST_WIDTH = 0.5  # share of a face's width at rest that remains

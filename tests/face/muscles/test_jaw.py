@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from risorius.face.jaw import Jaw
+from risorius.face.muscles.jaw import Jaw
 
 
 @pytest.fixture(scope="module")

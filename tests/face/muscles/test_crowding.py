@@ -3,7 +3,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from risorius.face.crowding import (
+from risorius.face.head.head import load_head
+from risorius.face.head.links import NO_LINKS
+from risorius.face.muscles.crowding import (
     LEAST,
     STEEPEST,
     SWEEPS,
@@ -13,13 +15,11 @@ from risorius.face.crowding import (
     relieve,
     struts,
 )
-from risorius.face.head.head import load_head
-from risorius.face.head.links import NO_LINKS
-from risorius.face.muscles import MuscleFields
+from risorius.face.muscles.muscles import MuscleFields
 from risorius.face.solve import FaceSolver
 
-from .conftest import MOUTH_MUSCLES, values_of
-from .flips import Flips
+from ..conftest import MOUTH_MUSCLES, values_of
+from ..flips import Flips
 
 
 @pytest.fixture(scope="module")

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..core.arrays import Array, IntArray
+from ...core.arrays import Array, IntArray
+from ..numerics.rotations import turned
 from .crowding import relieve, struts
-from .numerics.rotations import turned
 
 LEAST = 0.35  # the share of an edge's length that the open jaw leaves along its direction
 SWEEPS = 200

@@ -11,10 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.sparse as sp
 
-from ..core.arrays import Array, IndexArray
-from ..core.parameters import INDEX
-from ..machine.kernels.jit import kernel
-from .head.head import TONGUE_FIELDS, Head
+from ...core.arrays import Array, IndexArray
+from ...core.parameters import INDEX
+from ...machine.kernels.jit import kernel
+from ..head.head import TONGUE_FIELDS, Head
 from .jaw import Jaw
 
 LYING = 0.62  # share of its height above its floor that the tongue loses with the jaw wide open

@@ -3,11 +3,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from risorius.face.crowding import struts
 from risorius.face.head.head import load_head
-from risorius.face.jaw import Jaw
+from risorius.face.muscles.crowding import struts
+from risorius.face.muscles.jaw import Jaw
+from risorius.face.muscles.throat import LEAST, uncrowd
 from risorius.face.numerics.rotations import turned
-from risorius.face.throat import LEAST, uncrowd
 
 STRIP = np.array([[0, 1, 3, 2], [2, 3, 5, 4]])
 AXIS = np.array([1.0, 0.0, 0.0])

@@ -11,12 +11,12 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..core.arrays import Array, FloatArray
-from ..core.parameters import INDEX
-from ..machine.array_cache import cached_arrays
-from ..machine.kernels.jit import kernel
-from .head.head import Head
-from .numerics.rotations import about_axis, turned
+from ...core.arrays import Array, FloatArray
+from ...core.parameters import INDEX
+from ...machine.array_cache import cached_arrays
+from ...machine.kernels.jit import kernel
+from ..head.head import Head
+from ..numerics.rotations import about_axis, turned
 from .throat import uncrowd
 
 MASSETER = INDEX["masseter"]

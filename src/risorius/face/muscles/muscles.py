@@ -15,13 +15,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..core.arrays import Array, ByteArray, IndexArray, IntArray, UInt32Array, UInt64Array
-from ..core.parameters import INDEX, PARAMETERS
-from ..errors import HeadError
-from ..machine.kernels.jit import device, kernel
-from .activations import YIELDS, Yields, activate, yields_of
-from .head.head import Field, Head
-from .numerics.fours import (
+from ...core.arrays import Array, ByteArray, IndexArray, IntArray, UInt32Array, UInt64Array
+from ...core.parameters import INDEX, PARAMETERS
+from ...errors import HeadError
+from ...machine.kernels.jit import device, kernel
+from ..head.head import Field, Head
+from ..numerics.fours import (
     LANES,
     Four,
     added,
@@ -36,6 +35,7 @@ from .numerics.fours import (
     set_row,
     squares,
 )
+from .activations import YIELDS, Yields, activate, yields_of
 
 # These have no field on the skin at rest: the jaw is a frame, and the lids slide over the eyeball.
 ELSEWHERE = ("masseter", "orbicularis_oculi_palpebralis")

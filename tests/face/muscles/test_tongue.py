@@ -3,10 +3,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from risorius.face.jaw import Jaw
-from risorius.face.tongue import TongueShapes
+from risorius.face.muscles.jaw import Jaw
+from risorius.face.muscles.tongue import TongueShapes
 
-from .conftest import values_of
+from ..conftest import values_of
 
 
 @pytest.fixture(scope="module")

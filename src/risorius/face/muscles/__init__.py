@@ -1,0 +1,1 @@
+"""What moves the skin: muscles, jaw and tongue."""
