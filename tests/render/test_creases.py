@@ -10,8 +10,8 @@ import pytest
 from risorius.core.action_units import resolve_targets
 from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.face.head.head import load_head
-from risorius.face.layouts import Fold
-from risorius.face.regions import place_regions, region_names
+from risorius.face.skin.layouts import Fold
+from risorius.face.skin.regions import place_regions, region_names
 from risorius.face.solve import FaceSolver
 from risorius.looks.head_model import head_model
 from risorius.render.creases import DIMPLES, FOLD, FURROW, KIND, SHARE, lay_creases

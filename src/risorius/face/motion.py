@@ -16,8 +16,8 @@ from ..core.arrays import Array
 from ..core.performance import Performance
 from .frame import FaceFrame, FrameBuffers
 from .muscles.muscles import AT_ONCE
+from .skin.springs import RATE, Springs
 from .solve import FaceSolver, checked_rows
-from .springs import RATE, Springs
 
 Drive = Callable[[Array], Array]
 """All parameters (n, 46) at ascending times (n,) in seconds; of those that move no skin, any value."""

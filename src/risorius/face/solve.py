@@ -18,8 +18,6 @@ from ..core.arrays import Array
 from ..core.parameters import INDEX, PARAMETERS, check_value
 from ..errors import ParameterError
 from ..machine.blas import one_thread
-from .ageing import DEFAULT_AGE
-from .biphasic import Biphasic
 from .frame import FaceFrame, FrameBuffers
 from .head.eyes import eye_rotations, pitch_and_yaw
 from .head.head import Head
@@ -30,12 +28,14 @@ from .muscles.crowding import Crowding
 from .muscles.jaw import Jaw
 from .muscles.muscles import DisplacedSkin, MuscleFields, put_at
 from .muscles.tongue import TongueShapes
-from .network import Network
 from .numerics.products import AlikeRows, without_fourth
 from .numerics.rotations import head_rotation
-from .springs import Springs
+from .skin.ageing import DEFAULT_AGE
+from .skin.biphasic import Biphasic
+from .skin.network import Network
+from .skin.springs import Springs
+from .skin.wrinkles import Wrinkles
 from .teeth import Teeth
-from .wrinkles import Wrinkles
 
 # Curves are sums of floating-point numbers: a value so little outside its range counts as the end of it.
 ROUNDING = 1e-6

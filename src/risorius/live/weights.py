@@ -20,8 +20,8 @@ from ..core.parameters import INDEX
 from ..face.arkit_fit import NO_WAY, ArkitFit
 from ..face.frame import FaceFrame
 from ..face.head.eyes import pitch_and_yaw
+from ..face.skin.springs import RATE
 from ..face.solve import FaceSolver
-from ..face.springs import RATE
 from ..settings import Settings
 from ..solvers import make_solver, solver_key
 from .frame import LiveFrame

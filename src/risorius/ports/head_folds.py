@@ -10,7 +10,7 @@ import numpy as np
 
 from ..core.arrays import Array, ByteArray, Float32Array, IntArray
 from ..face.head.head import Head
-from ..face.regions import place_regions
+from ..face.skin.regions import place_regions
 from ..render.creases import Creases, lay_creases
 from .stage_table import StageFolds
 

@@ -9,8 +9,8 @@ import numpy as np
 from ..core.arrays import Array, Float32Array, Int32Array, IntArray
 from ..face.head.head import Head
 from ..face.head.marks import Marks
-from ..face.layouts import Dimples, Fold
-from ..face.regions import PlacedRegion, place_regions
+from ..face.skin.layouts import Dimples, Fold
+from ..face.skin.regions import PlacedRegion, place_regions
 from ..looks.noise import noise_at
 from ..machine.array_cache import cached_arrays
 from ..machine.kernels.jit import f4, i4, kernel

@@ -12,14 +12,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..core.arrays import Array, Float32Array, IntArray, UInt32Array
-from ..core.parameters import INDEX, parameters_named
-from ..machine.kernels.jit import device, kernel
+from ...core.arrays import Array, Float32Array, IntArray, UInt32Array
+from ...core.parameters import INDEX, parameters_named
+from ...machine.kernels.jit import device, kernel
+from ..head.head import Head
+from ..head.marks import Marks
 from .ageing import DEFAULT_AGE, SkinAge, skin_at
 from .bulges import Bulges
 from .compression import Compression
-from .head.head import Head
-from .head.marks import Marks
 from .layouts import Dimples, Fold
 from .regions import PlacedRegion, check_factors, place_regions
 from .relief import relief

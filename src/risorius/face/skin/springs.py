@@ -11,15 +11,15 @@ import math
 
 import numpy as np
 
-from ..core.arrays import Array, IndexArray, UInt32Array, UIntArray
-from ..core.parameters import NAMES
-from ..machine.kernels.jit import device, kernel
+from ...core.arrays import Array, IndexArray, UInt32Array, UIntArray
+from ...core.parameters import NAMES
+from ...machine.kernels.jit import device, kernel
+from ..head.links import NO_LINKS, Links
+from ..muscles.muscles import AT_ONCE, DisplacedSkin, MuscleFields
+from ..numerics.cholesky import substitute
+from ..numerics.stiffness import REST
 from .biphasic import Biphasic
-from .head.links import NO_LINKS, Links
-from .muscles.muscles import AT_ONCE, DisplacedSkin, MuscleFields
 from .network import Network, add_pull
-from .numerics.cholesky import substitute
-from .numerics.stiffness import REST
 
 RATE = 120  # steps in a second
 STEP = 1.0 / RATE  # s

@@ -7,12 +7,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.face.bulges import TAKEN_UP, Bulges, bulge_height, bulges
 from risorius.face.head.head import load_head
 from risorius.face.head.marks import Marks
+from risorius.face.skin.bulges import TAKEN_UP, Bulges, bulge_height, bulges
 from risorius.face.solve import FaceSolver
 
-from .conftest import values_of
+from ..conftest import values_of
 
 FOURTH = ((0, 0), (0, 1))  # kernels want points of four numbers
 SWELL = {

@@ -10,13 +10,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..core.arrays import Array, IndexArray, UInt32Array
-from ..machine.kernels.jit import kernel
-from .head.head import Field, Head
-from .muscles.muscles import MuscleFields, fields_of
+from ...core.arrays import Array, IndexArray, UInt32Array
+from ...machine.kernels.jit import kernel
+from ..head.head import Field, Head
+from ..muscles.muscles import MuscleFields, fields_of
+from ..numerics.mesh_sides import edges
+from ..numerics.stiffness import NEIGHBOUR
 from .network import Network, pull
-from .numerics.mesh_sides import edges
-from .numerics.stiffness import NEIGHBOUR
 
 YIELD = 0.15  # strain s₀ at which the second phase begins
 SECOND = 1.0  # stiffness k₂ of the second phase, added to the first

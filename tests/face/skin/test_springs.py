@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from risorius.core.parameters import MUSCLES, NEUTRAL
-from risorius.face.biphasic import Biphasic
 from risorius.face.muscles.muscles import ELSEWHERE, MuscleFields
-from risorius.face.network import Network
-from risorius.face.springs import RATE, Springs
+from risorius.face.skin.biphasic import Biphasic
+from risorius.face.skin.network import Network
+from risorius.face.skin.springs import RATE, Springs
 
-from .conftest import values_of
+from ..conftest import values_of
 
 BASES = [b for b in dict.fromkeys(m.base for m in MUSCLES) if b not in ELSEWHERE]
 ONSET = 0.1  # s, about the shortest in which a muscle of the face contracts

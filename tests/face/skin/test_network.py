@@ -3,8 +3,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from risorius.face.network import Network, pull
 from risorius.face.numerics.stiffness import REST, edges, laplacian
+from risorius.face.skin.network import Network, pull
 
 
 @pytest.fixture(scope="module")

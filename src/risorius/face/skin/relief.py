@@ -12,12 +12,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ..core.arrays import Array
-from .head.head import Head
-from .head.marks import Marks
+from ...core.arrays import Array
+from ..head.head import Head
+from ..head.marks import Marks
+from ..muscles.crowding import LEAST_WIDTH, Distances, altitudes
+from ..numerics.quads import quad_normals
 from .layouts import Fold
-from .muscles.crowding import LEAST_WIDTH, Distances, altitudes
-from .numerics.quads import quad_normals
 from .regions import PlacedRegion
 
 NARROWED = 0.5 * LEAST_WIDTH  # share of a face's width: half of what the muscles leave

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from risorius.face.head.marks import Marks, plateau, ripple
-from risorius.face.layouts import Dimples, Fan, Fold, Lines
+from risorius.face.skin.layouts import Dimples, Fan, Fold, Lines
 
 MARKS = Marks(np.zeros((68, 3)), 1.0)
 LINES = Lines(

@@ -11,12 +11,12 @@ from typing import Annotated, NamedTuple, Protocol
 
 import numpy as np
 
-from ..core.arrays import Array, Int64Array
-from ..core.units import Share
-from ..errors import InputError
-from ..machine.kernels.jit import kernel
-from ..reading.hints import Range, Then
-from .head.marks import Marks, plateau, ripple, smooth
+from ...core.arrays import Array, Int64Array
+from ...core.units import Share
+from ...errors import InputError
+from ...machine.kernels.jit import kernel
+from ...reading.hints import Range, Then
+from ..head.marks import Marks, plateau, ripple, smooth
 
 
 def _some(anchor: tuple[int, ...]) -> tuple[int, ...]:

@@ -13,12 +13,12 @@ from typing import NamedTuple
 import numpy as np
 import scipy.sparse as sp
 
-from ..core.arrays import AnyArray, Array, IndexArray, UInt32Array, UIntArray
-from ..machine.array_cache import cached_arrays
-from ..machine.kernels.jit import device, kernel
-from .head.head import Head
-from .head.marks import smooth
-from .numerics.products import short
+from ...core.arrays import AnyArray, Array, IndexArray, UInt32Array, UIntArray
+from ...machine.array_cache import cached_arrays
+from ...machine.kernels.jit import device, kernel
+from ..head.head import Head
+from ..head.marks import smooth
+from ..numerics.products import short
 
 STRETCHED = 1.05  # a larger stretch does not compensate for compression beside it
 _ROUNDS = 2  # of smoothing on level 0

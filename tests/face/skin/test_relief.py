@@ -5,12 +5,12 @@ import numpy as np
 from risorius.face.head.head import load_head
 from risorius.face.head.marks import Marks
 from risorius.face.muscles.crowding import Distances, altitudes
-from risorius.face.regions import place_regions
-from risorius.face.relief import NARROWED, relief
+from risorius.face.skin.regions import place_regions
+from risorius.face.skin.relief import NARROWED, relief
 from risorius.face.solve import FaceSolver
 
-from .conftest import values_of
-from .flips import Flips, normals
+from ..conftest import values_of
+from ..flips import Flips, normals
 
 # A sneer and a smile of the same side: the folds beside the wing of the nose turned a face over.
 CREASED = {

@@ -15,14 +15,14 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.sparse as sp
 
-from ..core.arrays import Array, BoolArray, IndexArray, UInt32Array
-from ..machine.kernels.jit import device, i8, kernel
-from .head.head import Head
-from .muscles.muscles import fields_of
-from .numerics.cholesky import Factor, sparing_order
-from .numerics.fours import added_times, gathered, set_row
-from .numerics.fours import row as row_at
-from .numerics.stiffness import spring_stiffness
+from ...core.arrays import Array, BoolArray, IndexArray, UInt32Array
+from ...machine.kernels.jit import device, i8, kernel
+from ..head.head import Head
+from ..muscles.muscles import fields_of
+from ..numerics.cholesky import Factor, sparing_order
+from ..numerics.fours import added_times, gathered, set_row
+from ..numerics.fours import row as row_at
+from ..numerics.stiffness import spring_stiffness
 
 STILL = 0.02  # mm at full contraction: a point that moves less counts as one that no muscle moves
 LIP = 0.5  # a point whose mask is higher belongs to the lips

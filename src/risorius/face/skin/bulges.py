@@ -12,13 +12,13 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..core.arrays import Array, UInt32Array
-from ..machine.kernels.jit import device, kernel
-from ..reading.frozen import FrozenDict
-from ..reading.toml import package_text, parse_rows
+from ...core.arrays import Array, UInt32Array
+from ...machine.kernels.jit import device, kernel
+from ...reading.frozen import FrozenDict
+from ...reading.toml import package_text, parse_rows
+from ..head.head import Head
+from ..head.marks import Marks
 from .compression import Compression, Zone
-from .head.head import Head
-from .head.marks import Marks
 from .layouts import Landmarks, Spacing, Vector, spot
 
 TABLE = "bulges.toml"

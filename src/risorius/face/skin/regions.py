@@ -1,4 +1,4 @@
-"""The wrinkle regions of the table `face/data/wrinkles.toml`, laid out on a head."""
+"""The wrinkle regions of the table `face/skin/data/wrinkles.toml`, laid out on a head."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..core.arrays import Array
-from ..core.units import Share
-from ..errors import InputError, unknown
-from ..machine.array_cache import cached_arrays
-from ..reading.toml import package_text, parse_rows
+from ...core.arrays import Array
+from ...core.units import Share
+from ...errors import InputError, unknown
+from ...machine.array_cache import cached_arrays
+from ...reading.toml import package_text, parse_rows
+from ..head.head import Head
+from ..head.marks import Marks
 from .compression import Zone
-from .head.head import Head
-from .head.marks import Marks
 from .layouts import Dimples, Fan, Fold, Layout, Lines, Millimetres, Spacing
 
 TABLE = "wrinkles.toml"

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..errors import InputError
+from ...errors import InputError
 
 DEFAULT_AGE = 30.0
 YOUNGEST, OLDEST = 0.0, 100.0

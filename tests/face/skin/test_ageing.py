@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.errors import InputError
-from risorius.face.ageing import skin_at
+from risorius.face.skin.ageing import skin_at
 
 
 @pytest.mark.parametrize("age", [-1.0, 100.5, math.nan, math.inf])

@@ -10,12 +10,12 @@ from hypothesis import strategies as st
 from risorius.errors import InputError
 from risorius.face.head.links import NO_LINKS
 from risorius.face.head.marks import Marks
-from risorius.face.regions import place_regions, region_names, regions
+from risorius.face.skin.regions import place_regions, region_names, regions
+from risorius.face.skin.wrinkles import FLAT, LOW, Wrinkles, capped, fold_height
 from risorius.face.solve import FaceSolver
-from risorius.face.wrinkles import FLAT, LOW, Wrinkles, capped, fold_height
 from tests.profiles import examples
 
-from .conftest import values_of
+from ..conftest import values_of
 
 
 def test_a_capped_height_is_the_hyperbolic_tangent_to_single_precision():

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.face.compression import Compression, Zone
 from risorius.face.numerics.rotations import head_rotation
+from risorius.face.skin.compression import Compression, Zone
 from tests.profiles import examples
 
 

@@ -1,0 +1,1 @@
+"""The skin: a network of springs that bulges and folds."""
