@@ -14,11 +14,11 @@ from risorius.core.arrays import Array, BoolArray
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX, PARAMETERS
 from risorius.core.score import Score
+from risorius.face.contact.mouth import Mouth
 from risorius.face.frame import FaceFrame
 from risorius.face.head.head import load_head
 from risorius.face.lip_file import load_lip_rig
 from risorius.face.measure import Gauge
-from risorius.face.mouth import Mouth
 from risorius.face.solve import FaceSolver
 from risorius.script import read_script
 from risorius.settings import Settings

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import scipy.sparse as sp
 
-from risorius.face.lids import FRONT
+from risorius.face.contact.lids import FRONT
 
 MOUTH_LINING = 0.2  # of the inner mouth's mask, above which skin is not seen
 SOCKET = 4.0  # mm from an eyeball, behind its front: skin that lines the socket and is not seen

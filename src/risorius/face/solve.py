@@ -18,12 +18,13 @@ from ..core.arrays import Array
 from ..core.parameters import INDEX, PARAMETERS, check_value
 from ..errors import ParameterError
 from ..machine.blas import one_thread
+from .contact.lids import both_lids
+from .contact.lips import Lips
+from .contact.teeth import Teeth
 from .frame import FaceFrame, FrameBuffers
 from .head.eyes import eye_rotations, pitch_and_yaw
 from .head.head import Head
 from .head.links import Links, load_links
-from .lids import both_lids
-from .lips import Lips
 from .muscles.crowding import Crowding
 from .muscles.jaw import Jaw
 from .muscles.muscles import DisplacedSkin, MuscleFields, put_at
@@ -35,7 +36,6 @@ from .skin.biphasic import Biphasic
 from .skin.network import Network
 from .skin.springs import Springs
 from .skin.wrinkles import Wrinkles
-from .teeth import Teeth
 
 # Curves are sums of floating-point numbers: a value so little outside its range counts as the end of it.
 ROUNDING = 1e-6

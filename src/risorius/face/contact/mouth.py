@@ -8,10 +8,10 @@ import numpy as np
 import scipy.sparse as sp
 from scipy.spatial import cKDTree
 
-from ..core.arrays import Array, BoolArray, IndexArray, Int32Array
+from ...core.arrays import Array, BoolArray, IndexArray, Int32Array
+from ..head.head import Head, TeethMesh
+from ..muscles.jaw import Jaw
 from .contact import Contacts, Facing, find_contacts
-from .head.head import Head, TeethMesh
-from .muscles.jaw import Jaw
 
 REACH = 5.0  # mm from the line on which the lips meet to the farthest point that may touch
 STATIONS = 19  # places along that line; the mesh cannot bend more finely

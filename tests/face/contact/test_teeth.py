@@ -7,17 +7,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from risorius.face.contact.teeth import LONG, SHORT, Teeth
+from risorius.face.contact.tooth_row import ToothRow
 from risorius.face.head.head import load_head
 from risorius.face.muscles.jaw import Jaw
 from risorius.face.solve import FaceSolver
-from risorius.face.teeth import LONG, SHORT, Teeth
-from risorius.face.tooth_row import ToothRow
 from risorius.rules.emotions import emotion
 from tests.profiles import everyday
 
-from .conftest import values_of
-from .flips import Flips
-from .teeth import TeethTester
+from ..conftest import values_of
+from ..flips import Flips
+from ..teeth import TeethTester
 
 PIERCED = 0.3  # mm
 CHEEK = ["orbicularis_oris_funneler", "zygomatic_major"]

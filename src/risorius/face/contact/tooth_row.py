@@ -8,9 +8,9 @@ from typing import Self
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
-from ..core.arrays import Array, IndexArray
-from ..machine.kernels.jit import device
-from .head.head import TeethMesh
+from ...core.arrays import Array, IndexArray
+from ...machine.kernels.jit import device
+from ..head.head import TeethMesh
 
 ANGLES, HALF_TURN = 91, 2.2  # columns of the tables, and the radians that they span on either side
 ROW = 0.8  # mm of height of a row of the tables

@@ -8,14 +8,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.core.articulators import SEAL_MM
-from risorius.face.contact import Contacts, find_contacts
+from risorius.face.contact.contact import Contacts, find_contacts
+from risorius.face.contact.mouth import Mouth, TeethEdge
+from risorius.face.contact.plate import nearby, response
 from risorius.face.measure import Gauge
-from risorius.face.mouth import Mouth, TeethEdge
-from risorius.face.plate import nearby, response
 from tests.profiles import examples
 
-from .conftest import EMOTIONS, MOUTH_MUSCLES, values_of
-from .winding import LipTester
+from ..conftest import EMOTIONS, MOUTH_MUSCLES, values_of
+from ..winding import LipTester
 
 TOLERANCE = 0.1  # mm that lips may overlap
 SEALED = 0.05  # mm that may stay open in a closure

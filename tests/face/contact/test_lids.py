@@ -5,8 +5,8 @@ import itertools
 import numpy as np
 import pytest
 
+from risorius.face.contact.lids import LOWER_GAIN, LOWER_MOST, follow
 from risorius.face.head.eyes import pitch_and_yaw
-from risorius.face.lids import LOWER_GAIN, LOWER_MOST, follow
 
 BLINK = "orbicularis_oculi_palpebralis"
 COMPANY = [

@@ -9,14 +9,14 @@ from __future__ import annotations
 import numpy as np
 import scipy.sparse as sp
 
-from ..core.arrays import Array
-from ..core.articulators import SEAL_MM, WIDEST_MM
+from ...core.arrays import Array
+from ...core.articulators import SEAL_MM, WIDEST_MM
+from ..head.head import Head
+from ..muscles.jaw import Jaw
+from ..numerics.complementarity import Gaps, Workspace, solve_gaps
+from ..numerics.products import SparseRows, carry, carry_upwards
 from .contact import Contacts, find_contacts, keep_tight
-from .head.head import Head
 from .mouth import OVERLAP, Mouth, TeethEdge
-from .muscles.jaw import Jaw
-from .numerics.complementarity import Gaps, Workspace, solve_gaps
-from .numerics.products import SparseRows, carry, carry_upwards
 from .plate import Response, nearby, response
 
 NEAR = 0.12  # mm; wider gaps are left out of the solution after closing

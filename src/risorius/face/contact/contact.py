@@ -12,9 +12,9 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from ..core.arrays import Array, BoolArray, Int32Array, IntArray
-from ..machine.kernels.jit import device, i8, kernel
-from .numerics.fours import LANES
+from ...core.arrays import Array, BoolArray, Int32Array, IntArray
+from ...machine.kernels.jit import device, i8, kernel
+from ..numerics.fours import LANES
 
 Grid = tuple[float, float, float, float]
 

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from risorius.core.parameters import INDEX, NEUTRAL
-from risorius.face.contact import Contacts, find_contacts
+from risorius.face.contact.contact import Contacts, find_contacts
+from risorius.face.contact.mouth import OVERLAP, STATIONS, Mouth, TeethEdge
 from risorius.face.head.head import load_head, shipped_heads
-from risorius.face.mouth import OVERLAP, STATIONS, Mouth, TeethEdge
 from risorius.face.solve import FaceSolver
 from tests.profiles import everyday
 

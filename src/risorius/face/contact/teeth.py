@@ -12,12 +12,12 @@ from functools import lru_cache
 import numpy as np
 from scipy.spatial import cKDTree
 
-from ..core.arrays import Array, IndexArray, IntArray, UInt32Array
-from ..machine.kernels.jit import device, kernel
-from .head.head import Head
-from .muscles.crowding import struts
-from .muscles.jaw import Jaw
-from .numerics.rotations import about_axis
+from ...core.arrays import Array, IndexArray, IntArray, UInt32Array
+from ...machine.kernels.jit import device, kernel
+from ..head.head import Head
+from ..muscles.crowding import struts
+from ..muscles.jaw import Jaw
+from ..numerics.rotations import about_axis
 from .tooth_row import NONE, ROUNDING, ROW, ToothRow, column_of, look_up, sector_of
 
 CLEARANCE = 0.3  # mm of skin before the teeth's front

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import scipy.sparse as sp
 
-from risorius.face.plate import REACH, nearby, response, stiffness
+from risorius.face.contact.plate import REACH, nearby, response, stiffness
 
 SIDE = 15
 

@@ -17,11 +17,11 @@ from dataclasses import dataclass
 import numpy as np
 import scipy.sparse as sp
 
-from ..core.arrays import Array, Int32Array
-from ..core.parameters import INDEX
-from ..machine.kernels.jit import device, kernel
-from .head.head import Head
-from .numerics.products import SparseRows, carry
+from ...core.arrays import Array, Int32Array
+from ...core.parameters import INDEX
+from ...machine.kernels.jit import device, kernel
+from ..head.head import Head
+from ..numerics.products import SparseRows, carry
 from .plate import nearby, response
 
 SIDES = ("left", "right")

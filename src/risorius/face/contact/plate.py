@@ -12,9 +12,9 @@ import scipy.sparse as sp
 from scipy.sparse.linalg import splu
 from scipy.spatial import cKDTree
 
-from ..core.arrays import Array, BoolArray, Int32Array, IntArray
-from ..machine.array_cache import cached_arrays
-from .numerics.mesh_sides import edges
+from ...core.arrays import Array, BoolArray, Int32Array, IntArray
+from ...machine.array_cache import cached_arrays
+from ..numerics.mesh_sides import edges
 
 BENDING, STRETCHING, BED = 0.5, 0.05, 0.004
 REACH = 45.0  # mm from a push; farther vertices do not move

@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from risorius.face.contact import Contacts, Facing, find_contacts, narrowest
+from risorius.face.contact.contact import Contacts, Facing, find_contacts, narrowest
 
 NX, NZ = 9, 5
 

@@ -1,0 +1,1 @@
+"""Surfaces that touch: lips, lids and teeth."""
