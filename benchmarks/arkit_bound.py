@@ -22,8 +22,8 @@ from scipy.optimize import linprog
 import risorius
 from risorius.core.arkit import EXCLUSIVE, INDEX, SHAPES
 from risorius.core.arrays import Array, FloatArray
-from risorius.face.arkit_direct import DIRECT
-from risorius.face.arkit_fit import ArkitFit
+from risorius.face.fit.arkit_direct import DIRECT
+from risorius.face.fit.arkit_fit import ArkitFit
 
 CLOSE_ENOUGH = 0.01  # mm
 PLANES = 60  # of the farthest vertices, each round

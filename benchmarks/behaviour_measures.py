@@ -11,7 +11,7 @@ from risorius import blend
 from risorius.core.arrays import Array, BoolArray
 from risorius.core.score import Score
 from risorius.core.utterance import PauseKind, Utterance
-from risorius.face.lip_file import load_lip_rig
+from risorius.face.fit.lip_file import load_lip_rig
 
 FPS = 500
 # Looking so near straight ahead is looking at the listener's face; looks away that are shorter do not count.

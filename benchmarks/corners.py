@@ -21,7 +21,7 @@ from risorius import blend
 from risorius.blend.rounding import is_quick
 from risorius.channels import Display
 from risorius.core.parameters import NAMES
-from risorius.face.lip_file import load_lip_rig
+from risorius.face.fit.lip_file import load_lip_rig
 from risorius.pipeline import compose
 from risorius.script import read_script
 from risorius.settings import Settings

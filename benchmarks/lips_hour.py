@@ -26,7 +26,7 @@ from risorius.blend.mouth.coarticulation import (
 from risorius.blend.mouth.shapes import performed
 from risorius.core.articulators import ARTICULATORS
 from risorius.core.score import Score
-from risorius.face.lip_file import load_lip_rig
+from risorius.face.fit.lip_file import load_lip_rig
 from risorius.pipeline import compose
 from risorius.script import read_script
 from risorius.settings import BlendChoices, Settings

@@ -15,10 +15,10 @@ from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX, PARAMETERS
 from risorius.core.score import Score
 from risorius.face.contact.mouth import Mouth
+from risorius.face.fit.lip_file import load_lip_rig
+from risorius.face.fit.measure import Gauge
 from risorius.face.frame import FaceFrame
 from risorius.face.head.head import load_head
-from risorius.face.lip_file import load_lip_rig
-from risorius.face.measure import Gauge
 from risorius.face.solve import FaceSolver
 from risorius.script import read_script
 from risorius.settings import Settings

@@ -30,7 +30,7 @@ from risorius.core.channels import CHANNELS
 from risorius.core.lip_rig import gap_left
 from risorius.core.parameters import INDEX, NAMES
 from risorius.core.utterance import Utterance
-from risorius.face.lip_file import load_lip_rig
+from risorius.face.fit.lip_file import load_lip_rig
 from risorius.speech import Recording, hear
 from risorius.speech.alignment import align
 from risorius.speech.recordings.recording import read_recording

@@ -22,7 +22,7 @@ from risorius.channels import ChannelInputs, compose
 from risorius.core.audio import silence
 from risorius.core.channels import CHANNELS
 from risorius.core.utterance import Phone, Utterance
-from risorius.face.lip_file import load_lip_rig
+from risorius.face.fit.lip_file import load_lip_rig
 from risorius.languages import phonesets
 from risorius.speech.alignment import align
 from risorius.speech.recordings.recording import read_recording

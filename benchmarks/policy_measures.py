@@ -18,9 +18,9 @@ from risorius.core.parameters import BASES, INDEX, NAMES, PARAMETERS, RIVALS, Ki
 from risorius.core.performance import frame_times
 from risorius.core.score import Score
 from risorius.core.utterance import Utterance
+from risorius.face.fit.lip_file import load_lip_rig
+from risorius.face.fit.measure import Gauge
 from risorius.face.head.head import load_head
-from risorius.face.lip_file import load_lip_rig
-from risorius.face.measure import Gauge
 from risorius.face.solve import FaceSolver
 from risorius.pipeline import compose
 from risorius.script import read_script

@@ -19,8 +19,8 @@ from risorius.core.action_units import ACTION_UNITS, resolve_targets
 from risorius.core.movement import LipSegment
 from risorius.core.parameters import INDEX, MUSCLES, NEUTRAL
 from risorius.core.score import Score
+from risorius.face.fit.lip_file import load_lip_rig
 from risorius.face.head.head import Head, load_head
-from risorius.face.lip_file import load_lip_rig
 from risorius.face.solve import FaceSolver
 from risorius.looks.head_model import head_model
 from risorius.render.software_renderer import SoftwareRenderer

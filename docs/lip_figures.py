@@ -28,9 +28,9 @@ from risorius.core.movement import LipSegment
 from risorius.core.parameters import NEUTRAL
 from risorius.core.score import Score
 from risorius.core.utterance import SILENCE, Utterance
+from risorius.face.fit.lip_file import load_lip_rig
+from risorius.face.fit.measure import Gauge
 from risorius.face.head.head import load_head
-from risorius.face.lip_file import load_lip_rig
-from risorius.face.measure import Gauge
 from risorius.face.solve import FaceSolver
 from risorius.looks.head_model import head_model
 from risorius.pipeline import compose

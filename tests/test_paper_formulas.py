@@ -16,7 +16,7 @@ from risorius.core.movement import Movement
 from risorius.core.parameters import INDEX, PARAMETERS
 from risorius.core.score import Score
 from risorius.core.utterance import Utterance
-from risorius.face.lip_file import load_lip_rig
+from risorius.face.fit.lip_file import load_lip_rig
 from risorius.rules.profiles import profile_of
 
 from .channels.at_work import INNER, LID, Maker

@@ -17,8 +17,8 @@ from risorius import blend
 from risorius.core.movement import Cause
 from risorius.core.parameters import INDEX, NEUTRAL, PARAMETERS, Kind
 from risorius.errors import InputError
-from risorius.face.lip_file import load_lip_rig
-from risorius.face.measure import Gauge
+from risorius.face.fit.lip_file import load_lip_rig
+from risorius.face.fit.measure import Gauge
 from risorius.face.solve import FaceSolver
 from risorius.rules.emotions import emotions
 from risorius.settings import BlendChoices, Settings

@@ -49,7 +49,7 @@ def test_faults_are_one_line(
 def test_what_cannot_be_reached_is_told_before_the_face_is_made(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("risorius.face.arkit_fit.ArkitFit.track", lambda *_: pytest.fail("made"))
+    monkeypatch.setattr("risorius.face.fit.arkit_fit.ArkitFit.track", lambda *_: pytest.fail("made"))
     assert run(["stream", "Oh.", "--to", "no.such.host.invalid", "--without-sound", *FAST]) == 2
     assert "risorius: 'no.such.host.invalid:11111' cannot be reached" in capsys.readouterr().err
     monkeypatch.setitem(sys.modules, "sounddevice", None)

@@ -21,9 +21,9 @@ from headbuild.shapes import build_shapes  # noqa: E402
 from headbuild.source import Source, open_source  # noqa: E402
 
 from risorius.errors import RisoriusError  # noqa: E402
+from risorius.face.fit.shapes import FILE  # noqa: E402
 from risorius.face.head.identity import FILE as IDENTITY  # noqa: E402
 from risorius.face.head.identity import read_identity  # noqa: E402
-from risorius.face.shapes import FILE  # noqa: E402
 
 HEADS = ROOT / "src" / "risorius" / "heads"
 TEMPLATE = HEADS / "standard"

@@ -12,9 +12,9 @@ import numpy as np
 
 from risorius.core.articulators import FITTED
 from risorius.core.lip_rig import MEASURES
+from risorius.face.fit.lip_file import FILE
+from risorius.face.fit.lip_fit import AT_REST, LARGEST, MeasuredMouth, fit
 from risorius.face.head.head import FORMAT, load_head, shipped_heads
-from risorius.face.lip_file import FILE
-from risorius.face.lip_fit import AT_REST, LARGEST, MeasuredMouth, fit
 
 CHECKS = 200
 

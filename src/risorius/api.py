@@ -208,7 +208,7 @@ def rig(
     is written with the take's animation. Of `settings`, the head is read, which performs and measures. Raises
     RisoriusError.
     """
-    from .face.arkit_fit import ArkitFit
+    from .face.fit.arkit_fit import ArkitFit
     from .face.head.head import head_of
     from .machine.atomic import replacing
     from .ports.glb_file import save_glb

@@ -30,10 +30,10 @@ from .solvers import SolverCache
 if TYPE_CHECKING:
     from .blend import Explanation, Plan, Tally, Trace
     from .core.look import Size
-    from .face.arkit_fit import ArkitTrack
+    from .face.fit.arkit_fit import ArkitTrack
+    from .face.fit.measure import Gauge
     from .face.frame import FaceFrame
     from .face.head.head import Head
-    from .face.measure import Gauge
     from .face.solve import FaceSolver
     from .render import Renderer, RendererSetup
 
@@ -266,7 +266,7 @@ class Take:
 
     @cached_property
     def _gauge(self) -> Gauge:
-        from .face.measure import Gauge
+        from .face.fit.measure import Gauge
 
         return Gauge(self.head)
 
@@ -284,7 +284,7 @@ class Take:
 
         Raises HeadError if the head has no such shapes.
         """
-        from .face.arkit_fit import ArkitFit
+        from .face.fit.arkit_fit import ArkitFit
 
         return ArkitFit.of(self.head).track(self.faces(reuse=True))
 
@@ -357,7 +357,7 @@ def lip_rig(score: Score, head: str) -> LipRig | None:
     It is fitted once per head, at the age and shape that the head has of itself: `--age` and `--shape` do not
     enter, though lips are performed in millimetres.
     """
-    from .face.lip_file import load_lip_rig
+    from .face.fit.lip_file import load_lip_rig
 
     articulated = any(name in ARTICULATORS for s in score.lips for name in s.targets)
     return load_lip_rig(head) if articulated else None

@@ -10,7 +10,7 @@ from risorius.core.channels import CHANNELS
 from risorius.core.movement import Cause, Movement
 from risorius.core.score import Score
 from risorius.errors import InputError, ParameterError
-from risorius.face.lip_file import load_lip_rig
+from risorius.face.fit.lip_file import load_lip_rig
 
 BLINK = "orbicularis_oculi_palpebralis.left"
 

@@ -15,9 +15,9 @@ from risorius.core.lip_rig import gap_left
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX, NAMES
 from risorius.core.score import Score
-from risorius.face.arkit_fit import ArkitFit
+from risorius.face.fit.arkit_fit import ArkitFit
+from risorius.face.fit.lip_file import load_lip_rig
 from risorius.face.head.head import load_head
-from risorius.face.lip_file import load_lip_rig
 from risorius.face.solve import FaceSolver
 from risorius.pipeline import compose
 from risorius.rules.lips import lip_table

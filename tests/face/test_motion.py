@@ -13,7 +13,7 @@ from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.core.performance import Performance
 from risorius.core.score import Score
 from risorius.errors import ParameterError
-from risorius.face.measure import Gauge
+from risorius.face.fit.measure import Gauge
 from risorius.face.motion import animate, between_frames
 from risorius.face.solve import FaceSolver
 

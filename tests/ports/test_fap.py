@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from risorius.errors import InputError
-from risorius.face.feature_points import SHOWN, FeaturePoints
+from risorius.face.fit.feature_points import SHOWN, FeaturePoints
 from risorius.face.solve import FaceSolver
 from risorius.ports.fap import read_fap
 from risorius.take import Take

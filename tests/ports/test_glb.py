@@ -8,7 +8,7 @@ from threadpoolctl import threadpool_limits
 
 from risorius.api import pose
 from risorius.core.arkit import SHAPES
-from risorius.face.arkit_fit import ArkitFit
+from risorius.face.fit.arkit_fit import ArkitFit
 from risorius.ports.gltf import quaternion
 from risorius.take import Take
 

@@ -15,7 +15,7 @@ import pytest
 
 from risorius.core.arkit import SHAPES
 from risorius.core.parameters import INDEX
-from risorius.face.arkit_fit import ArkitFit
+from risorius.face.fit.arkit_fit import ArkitFit
 from risorius.face.frame import FaceFrame
 from risorius.take import Take
 from tests.profiles import samples

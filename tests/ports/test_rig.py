@@ -9,7 +9,7 @@ from risorius.api import pose, rig
 from risorius.cli import run
 from risorius.core.arkit import INDEX, SHAPES
 from risorius.errors import InputError, RisoriusError
-from risorius.face.arkit_fit import ArkitFit
+from risorius.face.fit.arkit_fit import ArkitFit
 from risorius.ports.glb_file import read_glb
 from risorius.ports.gltf import Gltf
 from risorius.ports.rig import guess_map, read_rig

@@ -5,7 +5,7 @@ import pytest
 
 from risorius.core.arkit import SHAPES
 from risorius.errors import OutputError
-from risorius.face.arkit_fit import ArkitFit
+from risorius.face.fit.arkit_fit import ArkitFit
 from risorius.take import Take
 
 

@@ -11,8 +11,8 @@ import pytest
 
 from risorius.core.arkit import INDEX, SHAPES
 from risorius.errors import InputError
-from risorius.face.arkit_fit import ArkitTrack
-from risorius.face.expressions import expressions, preset_weights
+from risorius.face.fit.arkit_fit import ArkitTrack
+from risorius.face.fit.expressions import expressions, preset_weights
 from risorius.stream import PROTOCOLS, ArkitMoment, Options
 from risorius.stream.osc import bundles, message
 

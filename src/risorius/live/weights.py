@@ -17,7 +17,7 @@ import numpy as np
 
 from ..core.arrays import Array
 from ..core.parameters import INDEX
-from ..face.arkit_fit import NO_WAY, ArkitFit
+from ..face.fit.arkit_fit import NO_WAY, ArkitFit
 from ..face.frame import FaceFrame
 from ..face.head.eyes import pitch_and_yaw
 from ..face.skin.springs import RATE

@@ -21,10 +21,10 @@ from ..core.arrays import Array
 from ..core.lip_rig import OPENING, seal_of
 from ..core.parameters import INDEX as PARAMETER
 from ..errors import InputError, unknown
-from ..face.arkit_direct import gaze_of
-from ..face.arkit_fit import ArkitFit, ArkitTrack
-from ..face.lip_file import load_lip_rig
-from ..face.response import Responses
+from ..face.fit.arkit_direct import gaze_of
+from ..face.fit.arkit_fit import ArkitFit, ArkitTrack
+from ..face.fit.lip_file import load_lip_rig
+from ..face.fit.response import Responses
 from ..face.solve import FaceSolver
 from .capture import (
     GAZE_ANGLES,

@@ -20,9 +20,9 @@ from ..core.frame_rate import MAX_FPS
 from ..core.parameters import INDEX, NEUTRAL
 from ..core.progress import Progress
 from ..errors import InputError, Place, warn
-from ..face.feature_points import ANGLE, COUNT, LIDS, POINTS, SHOWN, TONGUE, FeaturePoints
-from ..face.response import TONGUE as TONGUE_FITTED
-from ..face.response import Responses
+from ..face.fit.feature_points import ANGLE, COUNT, LIDS, POINTS, SHOWN, TONGUE, FeaturePoints
+from ..face.fit.response import TONGUE as TONGUE_FITTED
+from ..face.fit.response import Responses
 from ..face.solve import FaceSolver
 from .capture import GAZE_ANGLES, HEAD_ANGLES, check_length, read_lines, score_of_capture
 from .formats import register

@@ -17,9 +17,9 @@ import numpy as np
 
 from ..core.arkit import SHAPES
 from ..core.arrays import Array, Float32Array
+from ..face.fit.shapes import ArkitShapes, arkit_shapes
 from ..face.frame import FaceFrame
 from ..face.head.head import Head
-from ..face.shapes import ArkitShapes, arkit_shapes
 from ..looks.head_model import head_model
 from ..looks.parts import Part
 from ..looks.riding import RidingHairs

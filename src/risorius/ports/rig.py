@@ -15,9 +15,9 @@ from ..core.arrays import Array, Float32Array
 from ..core.parameters import INDEX as PARAMETER
 from ..core.parameters import NEUTRAL
 from ..errors import InputError, Place, unknown
-from ..face.arkit_fit import ArkitFit, ArkitTrack
+from ..face.fit.arkit_fit import ArkitFit, ArkitTrack
+from ..face.fit.response import FITTED
 from ..face.head.head import Head
-from ..face.response import FITTED
 from ..face.solve import FaceSolver
 from ..machine.blas import one_thread
 from ..reading.source_text import SourceText

@@ -15,10 +15,10 @@ import numpy as np
 from ..core.arkit import SHAPES
 from ..core.arrays import Array
 from ..errors import OutputError
-from ..face.arkit_fit import ArkitTrack
+from ..face.fit.arkit_fit import ArkitTrack
+from ..face.fit.shapes import arkit_shapes
 from ..face.head.head import Head
 from ..face.numerics.rotations import head_rotation
-from ..face.shapes import arkit_shapes
 from ..looks.head_model import head_model
 from ..looks.parts import Part
 from ..looks.srgb import srgb_encode

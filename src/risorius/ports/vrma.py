@@ -15,7 +15,7 @@ import numpy as np
 from ..core.arkit import SHAPES
 from ..core.arrays import Array
 from ..core.parameters import INDEX
-from ..face.expressions import expressions, preset_weights
+from ..face.fit.expressions import expressions, preset_weights
 from ..face.numerics.rotations import head_rotation
 from ..reading.json_text import JsonObject
 from .formats import register

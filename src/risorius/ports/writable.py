@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ..core.audio import Audio
     from ..core.performance import Performance
     from ..core.utterance import Utterance
-    from ..face.arkit_fit import ArkitTrack
+    from ..face.fit.arkit_fit import ArkitTrack
     from ..face.frame import FaceFrame
     from ..face.head.head import Head
 

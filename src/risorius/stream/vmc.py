@@ -14,7 +14,7 @@ import numpy as np
 
 from ..core.arkit import SHAPES, column_of
 from ..core.arrays import Array
-from ..face.expressions import expressions, preset_weights
+from ..face.fit.expressions import expressions, preset_weights
 from ..face.numerics.rotations import head_rotation
 from ..ports.gltf import quaternion
 from .osc import bundles, message

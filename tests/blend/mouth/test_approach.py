@@ -19,9 +19,9 @@ from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX
 from risorius.core.score import BlendSettings, Score
 from risorius.errors import InputError
+from risorius.face.fit.lip_file import load_lip_rig
+from risorius.face.fit.lip_fit import MeasuredMouth
 from risorius.face.head.head import load_head
-from risorius.face.lip_file import load_lip_rig
-from risorius.face.lip_fit import MeasuredMouth
 from risorius.rules.lips import lip_table
 
 FASTEST = tradeoffs().opening.fastest

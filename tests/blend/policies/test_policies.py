@@ -13,7 +13,7 @@ from risorius.blend.conflict import POLICIES
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX
 from risorius.core.score import BlendSettings, Score
-from risorius.face.lip_file import load_lip_rig
+from risorius.face.fit.lip_file import load_lip_rig
 
 SMILE, ROUND = "zygomatic_major.left", "orbicularis_oris_funneler"
 MINIMUM = 0.25

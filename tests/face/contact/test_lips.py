@@ -11,7 +11,7 @@ from risorius.core.articulators import SEAL_MM
 from risorius.face.contact.contact import Contacts, find_contacts
 from risorius.face.contact.mouth import Mouth, TeethEdge
 from risorius.face.contact.plate import nearby, response
-from risorius.face.measure import Gauge
+from risorius.face.fit.measure import Gauge
 from tests.profiles import examples
 
 from ..conftest import EMOTIONS, MOUTH_MUSCLES, values_of

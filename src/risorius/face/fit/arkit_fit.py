@@ -17,17 +17,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..core.arkit import EXCLUSIVE, INDEX, OPPOSED, SHAPES
-from ..core.arrays import Array, BoolArray, FloatArray
-from ..core.parameters import INDEX as PARAMETER
-from ..machine.blas import one_thread
+from ...core.arkit import EXCLUSIVE, INDEX, OPPOSED, SHAPES
+from ...core.arrays import Array, BoolArray, FloatArray
+from ...core.parameters import INDEX as PARAMETER
+from ...machine.blas import one_thread
+from ..contact.lids import FRONT, LID_REACH
+from ..frame import FaceFrame
+from ..head.eyes import pitch_and_yaw
+from ..head.head import Head
+from ..numerics.far_vertices import FAR, FarVertices, lengths, within_leeway
+from ..numerics.nonnegative import least_squares
 from .arkit_direct import DIRECT, direct_weights
-from .contact.lids import FRONT, LID_REACH
-from .frame import FaceFrame
-from .head.eyes import pitch_and_yaw
-from .head.head import Head
-from .numerics.far_vertices import FAR, FarVertices, lengths, within_leeway
-from .numerics.nonnegative import least_squares
 from .shapes import ArkitShapes, arkit_shapes
 
 # Shares of the mean square of a shape that keep nearly parallel and opposed shapes from cancelling each

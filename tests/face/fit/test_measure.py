@@ -5,9 +5,9 @@ import dataclasses
 import numpy as np
 import pytest
 
-from risorius.face.measure import Gauge, Measures
+from risorius.face.fit.measure import Gauge, Measures
 
-from .conftest import EMOTIONS
+from ..conftest import EMOTIONS
 
 
 @pytest.fixture(scope="module")

@@ -13,10 +13,10 @@ from risorius.core.articulators import ARTICULATORS, FITTED
 from risorius.core.lip_rig import MEASURES, RAISER, LipRig, rig_of_fit
 from risorius.core.parameters import DEFAULT_THRESHOLD, INDEX, NEUTRAL, RIVALS
 from risorius.errors import HeadError
+from risorius.face.fit.lip_file import FILE, load_lip_rig
+from risorius.face.fit.lip_fit import MeasuredMouth
+from risorius.face.fit.measure import Gauge
 from risorius.face.head.head import load_head, shipped_heads
-from risorius.face.lip_file import FILE, load_lip_rig
-from risorius.face.lip_fit import MeasuredMouth
-from risorius.face.measure import Gauge
 from risorius.face.solve import FaceSolver
 from risorius.rules.lips import lip_table
 from tests.profiles import everyday

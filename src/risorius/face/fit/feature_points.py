@@ -9,13 +9,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.arrays import Array, FloatArray, Int32Array
-from ..core.parameters import INDEX, NEUTRAL
-from .frame import FaceFrame
-from .head.eyes import pitch_and_yaw
-from .head.head import Head
-from .muscles.jaw import Jaw
-from .muscles.tongue import TongueShapes
+from ...core.arrays import Array, FloatArray, Int32Array
+from ...core.parameters import INDEX, NEUTRAL
+from ..frame import FaceFrame
+from ..head.eyes import pitch_and_yaw
+from ..head.head import Head
+from ..muscles.jaw import Jaw
+from ..muscles.tongue import TongueShapes
 
 COUNT = 68
 ANGLE = 1e-5

@@ -7,10 +7,10 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from scipy.optimize import nnls
 
-from ..core.arrays import Array
-from ..core.parameters import INDEX, MUSCLES, NEUTRAL, PARAMETERS
-from .frame import FaceFrame
-from .solve import FaceSolver
+from ...core.arrays import Array
+from ...core.parameters import INDEX, MUSCLES, NEUTRAL, PARAMETERS
+from ..frame import FaceFrame
+from ..solve import FaceSolver
 
 Measure = Callable[[FaceFrame], Array]
 

@@ -11,9 +11,9 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.lip_rig import DEGREE, MEASURES, NONE, LipRig, rig_of_fit
-from .head.head_file import HeadFile
-from .head.head_folder import head_file
+from ...core.lip_rig import DEGREE, MEASURES, NONE, LipRig, rig_of_fit
+from ..head.head_file import HeadFile
+from ..head.head_folder import head_file
 
 FILE = "lips.npz"
 

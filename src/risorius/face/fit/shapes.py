@@ -15,16 +15,16 @@ from pathlib import Path
 import numpy as np
 import scipy.sparse as sp
 
-from ..core.arkit import INDEX, SHAPES
-from ..core.arrays import Array
-from ..core.parameters import INDEX as PARAMETER
-from ..core.parameters import NEUTRAL
-from ..errors import HeadError, Place
-from .head.head import Head
-from .head.head_file import HeadFile
-from .muscles.jaw import Jaw
-from .muscles.tongue import TongueShapes
-from .solve import FaceSolver
+from ...core.arkit import INDEX, SHAPES
+from ...core.arrays import Array
+from ...core.parameters import INDEX as PARAMETER
+from ...core.parameters import NEUTRAL
+from ...errors import HeadError, Place
+from ..head.head import Head
+from ..head.head_file import HeadFile
+from ..muscles.jaw import Jaw
+from ..muscles.tongue import TongueShapes
+from ..solve import FaceSolver
 
 FILE = "shapes.npz"
 _SHUT = {

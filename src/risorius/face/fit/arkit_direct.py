@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..core.arkit import INDEX, SHAPES
-from ..core.arrays import Array
-from ..core.parameters import INDEX as PARAMETER
-from ..core.parameters import PARAMETERS
-from .frame import FaceFrame
-from .head.eyes import pitch_and_yaw
+from ...core.arkit import INDEX, SHAPES
+from ...core.arrays import Array
+from ...core.parameters import INDEX as PARAMETER
+from ...core.parameters import PARAMETERS
+from ..frame import FaceFrame
+from ..head.eyes import pitch_and_yaw
 
 DIRECT = np.array([name.startswith("eyeLook") or name == "tongueOut" for name in SHAPES])
 """Mask (52,) of the shapes that follow directly from a frame."""

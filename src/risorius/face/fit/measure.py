@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.arrays import Array, BoolArray, IndexArray, Int32Array
-from ..core.parameters import INDEX
-from .contact.mouth import Mouth
-from .frame import FaceFrame
-from .head.head import Head
+from ...core.arrays import Array, BoolArray, IndexArray, Int32Array
+from ...core.parameters import INDEX
+from ..contact.mouth import Mouth
+from ..frame import FaceFrame
+from ..head.head import Head
 
 MIDLINE = 0.75  # mm from the middle at rest; vertices that are nearer form the lips' profile
 # iBUG points (left and right are the subject's).

@@ -1,4 +1,4 @@
-"""VRM's preset expressions from ARKit weights, by the table `face/data/expressions.toml`."""
+"""VRM's preset expressions from ARKit weights, by the table `face/fit/data/expressions.toml`."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from typing import Annotated
 
 import numpy as np
 
-from ..core.arkit import INDEX
-from ..core.arrays import Array
-from ..errors import InputError, unknown
-from ..reading.frozen import FrozenDict
-from ..reading.hints import Range
-from ..reading.toml import package_text, parse_rows
+from ...core.arkit import INDEX
+from ...core.arrays import Array
+from ...errors import InputError, unknown
+from ...reading.frozen import FrozenDict
+from ...reading.hints import Range
+from ...reading.toml import package_text, parse_rows
 
 FILE = "expressions.toml"
 

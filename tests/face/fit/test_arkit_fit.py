@@ -11,11 +11,11 @@ from risorius.core.arkit import EXCLUSIVE, INDEX, OPPOSED, SHAPES
 from risorius.core.parameters import INDEX as PARAMETER
 from risorius.core.parameters import NEUTRAL
 from risorius.errors import HeadError
-from risorius.face.arkit_direct import gaze_of
-from risorius.face.arkit_fit import BLOCK, ArkitFit
+from risorius.face.fit.arkit_direct import gaze_of
+from risorius.face.fit.arkit_fit import BLOCK, ArkitFit
+from risorius.face.fit.shapes import arkit_shapes
 from risorius.face.head.head import load_head, shipped_heads
 from risorius.face.numerics import far_vertices
-from risorius.face.shapes import arkit_shapes
 from risorius.face.solve import FaceSolver
 from tests.profiles import everyday, examples
 
@@ -131,7 +131,7 @@ def test_a_sentence_fits(clip) -> None:
 
 @pytest.fixture(scope="module")
 def bounds_of():
-    sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
+    sys.path.insert(0, str(Path(__file__).parents[3] / "benchmarks"))
     from arkit_bound import bounds_of
 
     return bounds_of
