@@ -80,7 +80,7 @@ OURS = {
     "ports/npz": "writes",
     "ports/video/encoder": "memory that both processes map",
     "ports/video/worker": "messages from us",
-    "ports/wav": "sound that we wrote",
+    "ports/speech/wav": "sound that we wrote",
     "speech/engines/espeak": "answers of our worker",
     "speech/engines/piper": "sound of a program that the user names",
     "speech/recordings/film_sound": "answers of our decoder",

@@ -9,7 +9,7 @@ import pytest
 from risorius.errors import InputError
 from risorius.languages import phones
 from risorius.languages.phones import PhoneInventory, PhoneManner, SoundClass, check_phones, inventory
-from risorius.ports.visemes import viseme_table
+from risorius.ports.speech.visemes import viseme_table
 from risorius.reading.toml import parse
 from risorius.rules.articulation import articulation
 from risorius.rules.lips import lip_table

@@ -16,7 +16,7 @@ from risorius.core.lip_rig import OPENING
 from risorius.core.utterance import Utterance
 from risorius.errors import Place
 from risorius.face.fit.lip_file import load_lip_rig
-from risorius.ports.textgrid import utterance_lines
+from risorius.ports.speech.textgrid import utterance_lines
 from risorius.script import read_script
 from risorius.settings import Settings
 from risorius.speech.from_recording import hear_words, with_written_tones

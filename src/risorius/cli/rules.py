@@ -61,7 +61,7 @@ def doctor(rules: Path | None) -> None:
 def _check_phones() -> None:
     """Raise InputError for the first table that lacks a phone of the inventory."""
     from ..languages import language_of
-    from ..ports.visemes import viseme_table
+    from ..ports.speech.visemes import viseme_table
     from ..rules.articulation import articulation
 
     articulation()

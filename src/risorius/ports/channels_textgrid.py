@@ -13,8 +13,8 @@ from ..core.movement import Movement
 from ..core.performance import Performance
 from ..script.textgrid import INTERVALS, Label, Tier, textgrid_lines
 from .formats import register
+from .speech.textgrid import speech_tiers
 from .table import write_lines
-from .textgrid import speech_tiers
 from .writable import WritableTake, WriteOptions
 
 

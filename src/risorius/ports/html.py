@@ -26,7 +26,7 @@ from .head_shade import shade
 from .page_faces import CHUNK, STEP, PackedFaces, deflated
 from .page_modules import import_map, name_of
 from .skin_formulas import skin_tables
-from .subtitles import subtitles
+from .speech.subtitles import subtitles
 from .table import write_lines
 from .writable import WritableTake, WriteOptions
 

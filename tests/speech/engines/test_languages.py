@@ -9,7 +9,7 @@ import pytest
 
 from risorius.errors import SpeechWarning
 from risorius.languages import language_of
-from risorius.ports.visemes import known_viseme
+from risorius.ports.speech.visemes import known_viseme
 from risorius.rules.articulation import is_known
 from risorius.speech.engines.espeak import EspeakEngine, _data
 from risorius.speech.engines.espeak_events import render

@@ -11,7 +11,7 @@ from risorius.core.audio import silence
 from risorius.core.utterance import Utterance
 from risorius.errors import InputError, SpeechWarning
 from risorius.languages import phonesets
-from risorius.ports.textgrid import utterance_lines
+from risorius.ports.speech.textgrid import utterance_lines
 from risorius.script.textgrid import INTERVALS, POINTS, Label, TextGrid, Tier, parse_textgrid
 from risorius.speech.recordings.labelled import utterance_of_labels
 

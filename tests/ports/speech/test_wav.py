@@ -6,7 +6,7 @@ import pytest
 
 from risorius.core.audio import Audio
 from risorius.errors import OutputError
-from risorius.ports.wav import write_wav
+from risorius.ports.speech.wav import write_wav
 from risorius.ports.writable import WritableTake, WriteOptions
 
 

@@ -9,10 +9,15 @@ import pytest
 
 from risorius.core.utterance import Utterance
 from risorius.errors import OutputError, SpeechWarning
-from risorius.ports.azure_json import write_azure_json
-from risorius.ports.oculus_csv import write_oculus_csv
-from risorius.ports.rhubarb import write_moho_dat, write_rhubarb_json, write_rhubarb_tsv, write_rhubarb_xml
-from risorius.ports.visemes import OCULUS, viseme_of, viseme_table
+from risorius.ports.speech.azure_json import write_azure_json
+from risorius.ports.speech.oculus_csv import write_oculus_csv
+from risorius.ports.speech.rhubarb import (
+    write_moho_dat,
+    write_rhubarb_json,
+    write_rhubarb_tsv,
+    write_rhubarb_xml,
+)
+from risorius.ports.speech.visemes import OCULUS, viseme_of, viseme_table
 from risorius.ports.writable import WritableTake, WriteOptions
 
 WRITERS = (

@@ -10,13 +10,13 @@ from fractions import Fraction
 from pathlib import Path
 from xml.sax.saxutils import escape
 
-from ..core.utterance import Utterance
-from .formats import register
-from .layout import write_json
+from ...core.utterance import Utterance
+from ..formats import register
+from ..layout import write_json
+from ..table import write_lines
+from ..writable import WritableTake, WriteOptions
 from .rhubarb_timing import IDLE, paused, tweened
-from .table import write_lines
 from .visemes import Cue, Viseme, cues, said
-from .writable import WritableTake, WriteOptions
 
 
 def mouth_cues(utterance: Utterance) -> list[Cue]:

@@ -10,11 +10,11 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.arrays import Array
-from .formats import register
-from .table import table_lines, write_lines
+from ...core.arrays import Array
+from ..formats import register
+from ..table import table_lines, write_lines
+from ..writable import WritableTake, WriteOptions
 from .visemes import OCULUS, Cue, Viseme, cues, said
-from .writable import WritableTake, WriteOptions
 
 FADE = 0.08
 COLUMNS = ("time_s", *OCULUS)

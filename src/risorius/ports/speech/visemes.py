@@ -7,13 +7,13 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
-from ..core.utterance import Phone, Utterance
-from ..errors import OutputError, SpeechWarning, warn
-from ..languages.phones import check_phones
-from ..languages.phonesets import IPA
-from ..reading.frozen import FrozenDict
-from ..reading.toml import package_text, parse_rows
-from .writable import WritableTake
+from ...core.utterance import Phone, Utterance
+from ...errors import OutputError, SpeechWarning, warn
+from ...languages.phones import check_phones
+from ...languages.phonesets import IPA
+from ...reading.frozen import FrozenDict
+from ...reading.toml import package_text, parse_rows
+from ..writable import WritableTake
 
 OCULUS = ("sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "ih", "oh", "ou")
 """The 15 visemes of OVRLipSync, in its order."""

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from .formats import register
-from .layout import write_json
+from ..formats import register
+from ..layout import write_json
+from ..writable import WritableTake, WriteOptions
 from .visemes import Viseme, cues, said
-from .writable import WritableTake, WriteOptions
 
 TICKS_PER_SECOND = 10_000_000
 SILENCE = 0

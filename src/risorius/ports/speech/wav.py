@@ -5,10 +5,10 @@ from __future__ import annotations
 import wave
 from pathlib import Path
 
-from ..core.audio import Audio
-from ..errors import OutputError
-from .formats import register
-from .writable import WritableTake, WriteOptions
+from ...core.audio import Audio
+from ...errors import OutputError
+from ..formats import register
+from ..writable import WritableTake, WriteOptions
 
 
 def write_wav(take: WritableTake, path: Path, _options: WriteOptions) -> None:

@@ -13,12 +13,12 @@ from itertools import groupby
 from pathlib import Path
 from xml.sax.saxutils import escape
 
-from ..core.utterance import Phrase, Utterance
-from ..core.written_words import written_words
-from .formats import register
-from .table import write_lines
+from ...core.utterance import Phrase, Utterance
+from ...core.written_words import written_words
+from ..formats import register
+from ..table import write_lines
+from ..writable import WritableTake, WriteOptions
 from .visemes import Cue, said
-from .writable import WritableTake, WriteOptions
 
 LINE, LINES = 42, 2
 """Characters of a line, and lines of a cue."""

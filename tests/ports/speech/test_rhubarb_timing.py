@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.ports.rhubarb_timing import paused, tweened
-from risorius.ports.visemes import Cue
+from risorius.ports.speech.rhubarb_timing import paused, tweened
+from risorius.ports.speech.visemes import Cue
 
 
 def cues_of(text: str) -> list[Cue]:

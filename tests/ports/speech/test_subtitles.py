@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from risorius.core.utterance import Utterance
 from risorius.errors import OutputError
-from risorius.ports.subtitles import LINE, LINES, subtitles, write_srt, write_vtt
+from risorius.ports.speech.subtitles import LINE, LINES, subtitles, write_srt, write_vtt
 from risorius.ports.writable import WritableTake, WriteOptions
 from tests.profiles import examples
 

@@ -1,0 +1,1 @@
+"""Speech as files: words, phones, visemes and sound."""
