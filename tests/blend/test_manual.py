@@ -19,7 +19,7 @@ from risorius.core.movement import LipSegment, ManualCurve, Movement
 from risorius.core.parameters import INDEX
 from risorius.core.score import BlendSettings, Score, check_score
 from risorius.errors import InputError
-from risorius.ports.score_json import read_score_file, score_to_json
+from risorius.ports.score.score_json import read_score_file, score_to_json
 
 
 def test_keys_are_joined_by_lines_and_hold_only_within_their_time() -> None:

@@ -14,7 +14,7 @@ from risorius.blend import Plan, combine, explain, summarize, traces
 from risorius.blend.narrate import narrate
 from risorius.core.movement import Cause, Movement
 from risorius.core.score import BlendSettings, Score
-from risorius.ports.score_json import read_score_file, score_to_json
+from risorius.ports.score.score_json import read_score_file, score_to_json
 
 FROWN, RAISE = "corrugator_supercilii.left", "frontalis_medialis.left"
 SHARES = st.floats(0.0, 1.0)

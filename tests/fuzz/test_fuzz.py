@@ -57,7 +57,7 @@ PARSERS = {
     "live/services": ".elevenlabs .cartesia .azure",
     "ports/capture": ".au.csv .arkit.csv",
     "ports/fap": ".fap",
-    "ports/speech_json": ".score.json",
+    "ports/score/speech_json": ".score.json",
     "render/backdrop": ".png",
     "script/elements": ".xml .ssml .bml",
     "serve/messages": ".client",

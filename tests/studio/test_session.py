@@ -10,7 +10,7 @@ import pytest
 from risorius.core.edits import Add, Delete, Keys, Move
 from risorius.core.progress import quiet
 from risorius.errors import InputError, RisoriusError
-from risorius.ports.score_json import score_to_json
+from risorius.ports.score.score_json import score_to_json
 from risorius.studio import describe, looking, performer
 from risorius.studio.rules_fired import RulesFired, rules_fired
 from risorius.studio.session import Session

@@ -21,7 +21,7 @@ from ..reading.schema import MisfitError, placed, within
 from .formats import register
 from .layout import write_json
 from .readable import PerformanceFile, ReadOptions
-from .score_json import VERSION, FormatVersion, ScoreDocument, score_to_json
+from .score.score_json import VERSION, FormatVersion, ScoreDocument, score_to_json
 from .writable import WritableTake, WriteOptions
 
 # Curves that were added up may miss their limits by rounding.

@@ -13,7 +13,7 @@ from ..errors import RisoriusError
 from ..machine.atomic import replacing
 from ..ports.layout import write_json
 from ..ports.readable import ScoreFile
-from ..ports.score_json import score_to_json
+from ..ports.score.score_json import score_to_json
 from ..reading.schema import MisfitError
 from .messages import encoded, read_message
 from .project import Opened, ProjectVersion, SavedEdits, SavedLost, SavedMade, header, version_of

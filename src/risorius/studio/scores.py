@@ -8,7 +8,7 @@ from pathlib import Path
 from ..core.score import BlendSettings
 from ..errors import InputError, Place
 from ..ports.readable import ScoreFile
-from ..ports.score_json import ScoreDocument
+from ..ports.score.score_json import ScoreDocument
 from ..reading.json_text import JsonDocument, parse_json
 from ..reading.schema import placed
 from ..settings import BlendChoices

@@ -6,20 +6,20 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Annotated, Any
 
-from ..core.movement import LipSegment, ManualCurve, Movement
-from ..core.score import BlendSettings, Score, check_score
-from ..core.units import MAX_SECONDS
-from ..core.utterance import Utterance
-from ..errors import InputError
-from ..reading.hints import Range, Then
-from ..reading.json_text import load_json
-from ..reading.schema import placed, within
-from .formats import register
-from .layout import write_json
+from ...core.movement import LipSegment, ManualCurve, Movement
+from ...core.score import BlendSettings, Score, check_score
+from ...core.units import MAX_SECONDS
+from ...core.utterance import Utterance
+from ...errors import InputError
+from ...reading.hints import Range, Then
+from ...reading.json_text import load_json
+from ...reading.schema import placed, within
+from ..formats import register
+from ..layout import write_json
+from ..readable import ReadOptions, ScoreFile
+from ..writable import WritableTake, WriteOptions
 from .movement_json import Entry, entry_to_json
-from .readable import ReadOptions, ScoreFile
 from .speech_json import SpeechDocument, speech_to_json
-from .writable import WritableTake, WriteOptions
 
 VERSION = 1
 

@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from ..core.movement import Movement
-from ..core.performance import Performance
-from ..script.textgrid import INTERVALS, Label, Tier, textgrid_lines
-from .formats import register
-from .speech.textgrid import speech_tiers
-from .table import write_lines
-from .writable import WritableTake, WriteOptions
+from ...core.movement import Movement
+from ...core.performance import Performance
+from ...script.textgrid import INTERVALS, Label, Tier, textgrid_lines
+from ..formats import register
+from ..speech.textgrid import speech_tiers
+from ..table import write_lines
+from ..writable import WritableTake, WriteOptions
 
 
 def write_channels_textgrid(take: WritableTake, path: Path, _options: WriteOptions) -> None:

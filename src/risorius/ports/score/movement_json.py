@@ -6,12 +6,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, Any, Literal, TypeVar
 
-from ..core.action_units import in_parameters, read_targets
-from ..core.articulators import ARTICULATORS, check_lip_target
-from ..core.channels import CHANNELS
-from ..core.functions import DEFAULT_FUNCTION
-from ..core.key_shapes import KeyShape
-from ..core.movement import (
+from ...core.action_units import in_parameters, read_targets
+from ...core.articulators import ARTICULATORS, check_lip_target
+from ...core.channels import CHANNELS
+from ...core.functions import DEFAULT_FUNCTION
+from ...core.key_shapes import KeyShape
+from ...core.movement import (
     Cause,
     Dominance,
     LipSegment,
@@ -22,13 +22,13 @@ from ..core.movement import (
     check_span,
     check_target,
 )
-from ..core.parameters import parameters_named
-from ..core.units import MAX_SECONDS, Seconds
-from ..errors import InputError, ParameterError, RisoriusError, unknown
-from ..reading.hints import ChooseType, Range, Then
-from ..reading.json_text import JsonObject
-from ..reading.schema import MisfitError
-from .layout import to_record
+from ...core.parameters import parameters_named
+from ...core.units import MAX_SECONDS, Seconds
+from ...errors import InputError, ParameterError, RisoriusError, unknown
+from ...reading.hints import ChooseType, Range, Then
+from ...reading.json_text import JsonObject
+from ...reading.schema import MisfitError
+from ..layout import to_record
 
 V = TypeVar("V")
 NumberPair = tuple[float, float]

@@ -10,12 +10,12 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Annotated, Any
 
-from ..core.audio import Audio, silence
-from ..core.utterance import Accent, Boundary, Pause, Phone, Phrase, Syllable, Utterance, Word
-from ..errors import warn
-from ..reading.hints import Range
-from ..reading.schema import MisfitError
-from .layout import to_record
+from ...core.audio import Audio, silence
+from ...core.utterance import Accent, Boundary, Pause, Phone, Phrase, Syllable, Utterance, Word
+from ...errors import warn
+from ...reading.hints import Range
+from ...reading.schema import MisfitError
+from ..layout import to_record
 
 _PARTS = ("phones", "words", "syllables", "pauses", "accents", "boundaries", "phrases")
 _SAMPLE_RATE = 22_050

@@ -6,7 +6,7 @@ import pytest
 
 from risorius.core.movement import Dominance, LipSegment, ManualCurve, Movement
 from risorius.errors import InputError
-from risorius.ports.movement_json import Entry, entry_to_json
+from risorius.ports.score.movement_json import Entry, entry_to_json
 from risorius.reading.json_text import parse_json
 
 SMILE: dict[str, Any] = {

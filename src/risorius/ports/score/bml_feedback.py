@@ -10,11 +10,11 @@ from collections.abc import Iterator
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
-from ..core.movement import Movement
-from ..script.bml_shapes import NAMESPACE, PEAKS
-from .formats import register
-from .table import write_lines
-from .writable import WritableTake, WriteOptions
+from ...core.movement import Movement
+from ...script.bml_shapes import NAMESPACE, PEAKS
+from ..formats import register
+from ..table import write_lines
+from ..writable import WritableTake, WriteOptions
 
 _BLOCK = "risorius"
 

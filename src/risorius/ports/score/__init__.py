@@ -1,0 +1,1 @@
+"""Scores as files: movements with their causes, and the speech that they belong to."""
