@@ -24,7 +24,7 @@ import risorius
 from risorius.core.arkit import ROTATIONS, SHAPES
 from risorius.core.arrays import Array
 from risorius.errors import InputError, RisoriusError
-from risorius.ports.arkit_csv import ArkitTake, read_arkit_csv
+from risorius.ports.curves.arkit_csv import ArkitTake, read_arkit_csv
 
 RATE = 60.0  # curves are compared at so many values a second
 LAGS = 0.5  # s, the greatest lag that is looked for

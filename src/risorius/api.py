@@ -16,7 +16,7 @@ from .core.score import BlendSettings, Score
 from .errors import InputError, Place, UnusedSettingError, check_number
 from .machine.paths import is_file, path_of
 from .pipeline import combine, perform
-from .ports.performance_json import read_performance_file
+from .ports.curves.performance_json import read_performance_file
 from .ports.score.score_json import read_score_file
 from .ports.targets import check_targets
 from .rules.emotions import Display, Displays, parse_display

@@ -14,7 +14,7 @@ import pytest
 
 import risorius
 from risorius.core.arkit import CSV_SHAPES
-from risorius.ports.arkit_csv import COLUMNS, COUNT, read_arkit_csv, timecode
+from risorius.ports.curves.arkit_csv import COLUMNS, COUNT, read_arkit_csv, timecode
 
 ADDON = Path(__file__).parents[2] / "addons/blender/risorius_performance"
 

@@ -20,10 +20,10 @@ from risorius.face.head.identity import read_identity
 from risorius.face.head.links import LinkTable
 from risorius.face.head.muscle_table import load_muscles
 from risorius.machine.npz import read_arrays
-from risorius.ports.arkit_csv import COLUMNS as ARKIT_COLUMNS
-from risorius.ports.arkit_csv import read_arkit_csv
-from risorius.ports.au_csv import read_au_csv
-from risorius.ports.fap import FLAGS, read_fap
+from risorius.ports.curves.arkit_csv import COLUMNS as ARKIT_COLUMNS
+from risorius.ports.curves.arkit_csv import read_arkit_csv
+from risorius.ports.curves.au_csv import read_au_csv
+from risorius.ports.curves.fap import FLAGS, read_fap
 from risorius.ports.glb_file import GlbFile, save_glb
 from risorius.ports.rig import read_rig
 from risorius.reading.toml import load_file

@@ -17,7 +17,7 @@ from risorius.core.performance import Performance, frame_times
 from risorius.core.progress import Progress, quiet
 from risorius.core.score import Score
 from risorius.core.utterance import Utterance
-from risorius.ports.landmarks_csv import COLUMNS
+from risorius.ports.curves.landmarks_csv import COLUMNS
 from risorius.ports.writable import WritableTake
 
 if TYPE_CHECKING:

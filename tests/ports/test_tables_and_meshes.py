@@ -10,7 +10,7 @@ from praatio import textgrid as praatio_textgrid
 
 from risorius.core.movement import Movement
 from risorius.core.parameters import NAMES
-from risorius.ports.bvh import euler
+from risorius.ports.curves.bvh import euler
 from risorius.ports.formats import FORMATS, Need
 from risorius.ports.score.channels_textgrid import label
 from risorius.take import Take

@@ -16,16 +16,20 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.arkit import CSV_SHAPES, INDEX, ROTATIONS, SHAPES, column_of
-from ..core.arrays import Array
-from ..core.lip_rig import OPENING, seal_of
-from ..core.parameters import INDEX as PARAMETER
-from ..errors import InputError, unknown
-from ..face.fit.arkit_direct import gaze_of
-from ..face.fit.arkit_fit import ArkitFit, ArkitTrack
-from ..face.fit.lip_file import load_lip_rig
-from ..face.fit.response import Responses
-from ..face.solve import FaceSolver
+from ...core.arkit import CSV_SHAPES, INDEX, ROTATIONS, SHAPES, column_of
+from ...core.arrays import Array
+from ...core.lip_rig import OPENING, seal_of
+from ...core.parameters import INDEX as PARAMETER
+from ...errors import InputError, unknown
+from ...face.fit.arkit_direct import gaze_of
+from ...face.fit.arkit_fit import ArkitFit, ArkitTrack
+from ...face.fit.lip_file import load_lip_rig
+from ...face.fit.response import Responses
+from ...face.solve import FaceSolver
+from ..formats import register
+from ..readable import ReadOptions, ScoreFile
+from ..table import write_lines
+from ..writable import WritableTake, WriteOptions
 from .capture import (
     GAZE_ANGLES,
     HEAD_ANGLES,
@@ -38,10 +42,6 @@ from .capture import (
     read_table,
     score_of_capture,
 )
-from .formats import register
-from .readable import ReadOptions, ScoreFile
-from .table import write_lines
-from .writable import WritableTake, WriteOptions
 
 APP_RATE = 60.0  # frames per second of the app's takes
 _CLOCK = 4  # numbers of a time code, the first of each row

@@ -16,13 +16,13 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.arrays import Array
-from ..core.movement import Cause, ManualCurve
-from ..core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
-from ..core.score import BlendSettings, Score
-from ..core.units import MAX_SECONDS
-from ..errors import InputError, Place
-from .readable import ScoreFile
+from ...core.arrays import Array
+from ...core.movement import Cause, ManualCurve
+from ...core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
+from ...core.score import BlendSettings, Score
+from ...core.units import MAX_SECONDS
+from ...errors import InputError, Place
+from ..readable import ScoreFile
 
 Parse = Callable[[str], Sequence[float]]
 """Reads a cell; raises ValueError with the expected form."""

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from risorius.core.parameters import NAMES
-from risorius.ports.muscles_csv import write_muscles_csv
+from risorius.ports.curves.muscles_csv import write_muscles_csv
 from risorius.ports.writable import WritableTake, WriteOptions
 
 

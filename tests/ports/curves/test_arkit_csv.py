@@ -8,7 +8,7 @@ import pytest
 
 from risorius.core.arkit import CSV_SHAPES, SHAPES
 from risorius.errors import InputError
-from risorius.ports.arkit_csv import COLUMNS, read_arkit_csv, timecode
+from risorius.ports.curves.arkit_csv import COLUMNS, read_arkit_csv, timecode
 from risorius.take import Take
 
 

@@ -5,7 +5,7 @@ import pytest
 
 from risorius.api import pose
 from risorius.errors import InputError
-from risorius.ports.au_csv import CAMERA, COLUMNS, pose_angles, read_au_csv, turn_of
+from risorius.ports.curves.au_csv import CAMERA, COLUMNS, pose_angles, read_au_csv, turn_of
 from risorius.take import Take
 
 

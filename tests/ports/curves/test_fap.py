@@ -6,7 +6,7 @@ import pytest
 from risorius.errors import InputError
 from risorius.face.fit.feature_points import SHOWN, FeaturePoints
 from risorius.face.solve import FaceSolver
-from risorius.ports.fap import read_fap
+from risorius.ports.curves.fap import read_fap
 from risorius.take import Take
 
 

@@ -11,13 +11,13 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.arrays import Array
-from ..core.progress import Progress
-from ..face.frame import FaceFrame
-from ..face.head.head import Head
-from .formats import register
-from .table import write_lines
-from .writable import WritableTake, WriteOptions
+from ...core.arrays import Array
+from ...core.progress import Progress
+from ...face.frame import FaceFrame
+from ...face.head.head import Head
+from ..formats import register
+from ..table import write_lines
+from ..writable import WritableTake, WriteOptions
 
 _CM = 0.1
 _ORDER = "Zrotation Xrotation Yrotation"

@@ -10,19 +10,19 @@ from typing import Annotated
 
 import numpy as np
 
-from ..core.arrays import Array
-from ..core.frame_rate import parse_fps
-from ..core.parameters import NAMES, PARAMETERS
-from ..core.performance import Performance, frame_count
-from ..errors import InputError, Place, unknown
-from ..reading.hints import Numbers, Then
-from ..reading.json_text import load_json
-from ..reading.schema import MisfitError, placed, within
-from .formats import register
-from .layout import write_json
-from .readable import PerformanceFile, ReadOptions
-from .score.score_json import VERSION, FormatVersion, ScoreDocument, score_to_json
-from .writable import WritableTake, WriteOptions
+from ...core.arrays import Array
+from ...core.frame_rate import parse_fps
+from ...core.parameters import NAMES, PARAMETERS
+from ...core.performance import Performance, frame_count
+from ...errors import InputError, Place, unknown
+from ...reading.hints import Numbers, Then
+from ...reading.json_text import load_json
+from ...reading.schema import MisfitError, placed, within
+from ..formats import register
+from ..layout import write_json
+from ..readable import PerformanceFile, ReadOptions
+from ..score.score_json import VERSION, FormatVersion, ScoreDocument, score_to_json
+from ..writable import WritableTake, WriteOptions
 
 # Curves that were added up may miss their limits by rounding.
 _SLACK = 1e-6

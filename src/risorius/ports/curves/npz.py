@@ -13,11 +13,11 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.arrays import AnyArray
-from ..core.parameters import NAMES
-from ..core.performance import Performance
-from .formats import register
-from .writable import WritableTake, WriteOptions
+from ...core.arrays import AnyArray
+from ...core.parameters import NAMES
+from ...core.performance import Performance
+from ..formats import register
+from ..writable import WritableTake, WriteOptions
 
 
 def write_npz(take: WritableTake, path: Path, _options: WriteOptions) -> None:

@@ -15,20 +15,20 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.arrays import Array, BoolArray
-from ..core.frame_rate import MAX_FPS
-from ..core.parameters import INDEX, NEUTRAL
-from ..core.progress import Progress
-from ..errors import InputError, Place, warn
-from ..face.fit.feature_points import ANGLE, COUNT, LIDS, POINTS, SHOWN, TONGUE, FeaturePoints
-from ..face.fit.response import TONGUE as TONGUE_FITTED
-from ..face.fit.response import Responses
-from ..face.solve import FaceSolver
+from ...core.arrays import Array, BoolArray
+from ...core.frame_rate import MAX_FPS
+from ...core.parameters import INDEX, NEUTRAL
+from ...core.progress import Progress
+from ...errors import InputError, Place, warn
+from ...face.fit.feature_points import ANGLE, COUNT, LIDS, POINTS, SHOWN, TONGUE, FeaturePoints
+from ...face.fit.response import TONGUE as TONGUE_FITTED
+from ...face.fit.response import Responses
+from ...face.solve import FaceSolver
+from ..formats import register
+from ..readable import ReadOptions, ScoreFile
+from ..table import write_lines
+from ..writable import WritableTake, WriteOptions
 from .capture import GAZE_ANGLES, HEAD_ANGLES, check_length, read_lines, score_of_capture
-from .formats import register
-from .readable import ReadOptions, ScoreFile
-from .table import write_lines
-from .writable import WritableTake, WriteOptions
 
 NumberedWords = tuple[int, list[str]]
 """The number of a line in the file, and its words."""

@@ -7,11 +7,11 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.parameters import NAMES
-from ..core.performance import Performance
-from .formats import register
-from .table import table_lines, write_lines
-from .writable import WritableTake, WriteOptions
+from ...core.parameters import NAMES
+from ...core.performance import Performance
+from ..formats import register
+from ..table import table_lines, write_lines
+from ..writable import WritableTake, WriteOptions
 
 COLUMNS = ("time_s", *NAMES)
 

@@ -9,11 +9,11 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.arkit import SHAPES
-from ..core.parameters import NAMES
-from ..errors import OutputError
-from .formats import register
-from .writable import WritableTake, WriteOptions
+from ...core.arkit import SHAPES
+from ...core.parameters import NAMES
+from ...errors import OutputError
+from ..formats import register
+from ..writable import WritableTake, WriteOptions
 
 
 def write_parquet(take: WritableTake, path: Path, options: WriteOptions) -> None:

@@ -17,13 +17,18 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.action_units import action_unit, resolve_targets
-from ..core.arrays import Array, Int64Array
-from ..core.parameters import INDEX, NEUTRAL
-from ..core.progress import Progress
-from ..errors import InputError, Place, unknown
-from ..face.frame import FaceFrame
-from ..face.numerics.rotations import about_axis, rotation_angles
+from ...core.action_units import action_unit, resolve_targets
+from ...core.arrays import Array, Int64Array
+from ...core.parameters import INDEX, NEUTRAL
+from ...core.progress import Progress
+from ...errors import InputError, Place, unknown
+from ...face.frame import FaceFrame
+from ...face.numerics.rotations import about_axis, rotation_angles
+from ..formats import register
+from ..readable import ReadOptions, ScoreFile
+from ..table import write_lines
+from ..writable import WritableTake, WriteOptions
+from .action_unit_fit import ActionUnitFit
 from .capture import (
     GAZE_ANGLES,
     HEAD_ANGLES,
@@ -35,12 +40,7 @@ from .capture import (
     read_table,
     score_of_capture,
 )
-from .curves.action_unit_fit import ActionUnitFit
-from .formats import register
 from .landmarks_csv import MEASURES
-from .readable import ReadOptions, ScoreFile
-from .table import write_lines
-from .writable import WritableTake, WriteOptions
 
 INTENSITIES = (1, 2, 4, 5, 6, 7, 9, 10, 12, 14, 15, 17, 20, 23, 25, 26, 45)
 PRESENCES = (1, 2, 4, 5, 6, 7, 9, 10, 12, 14, 15, 17, 20, 23, 25, 26, 28, 45)

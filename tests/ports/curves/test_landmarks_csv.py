@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from risorius.ports.landmarks_csv import write_landmarks_csv
+from risorius.ports.curves.landmarks_csv import write_landmarks_csv
 from risorius.ports.writable import WritableTake, WriteOptions
 
 EXPECTED = [
