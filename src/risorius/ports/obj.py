@@ -20,8 +20,8 @@ from ..looks.parts import Part
 from ..looks.riding import RidingHairs
 from ..looks.srgb import srgb_encode
 from .formats import register
-from .png import frame_at
 from .table import write_lines
+from .video.png import frame_at
 from .writable import WritableTake, WriteOptions
 
 _EYES = ("eye_left", "eye_right")

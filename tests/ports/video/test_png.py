@@ -6,7 +6,7 @@ import pytest
 from PIL import Image
 
 from risorius.errors import InputError
-from risorius.ports.png import frame_at, write_png
+from risorius.ports.video.png import frame_at, write_png
 from risorius.ports.writable import WritableTake, WriteOptions
 
 

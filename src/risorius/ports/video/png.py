@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..core.performance import Performance
-from ..errors import InputError
-from .formats import register
+from ...core.performance import Performance
+from ...errors import InputError
+from ..formats import register
+from ..writable import WritableTake, WriteOptions
 from .sheet import write_sheet
-from .writable import WritableTake, WriteOptions
 
 if TYPE_CHECKING:
     from PIL.PngImagePlugin import PngInfo
