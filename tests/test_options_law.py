@@ -270,7 +270,7 @@ def test_options_that_choose_what_is_performed_change_what_is_written(
 CHANGING = {
     **{name: "files" for name, _, _ in ON_FILES},
     **dict.fromkeys(("protocol", "names", "subject", "to", "listen"), "packets: tests/stream"),
-    **dict.fromkeys(("map_file", "perform", "output"), "the character: tests/ports/test_rig.py"),
+    **dict.fromkeys(("map_file", "perform", "output"), "the character: tests/ports/mesh/test_rig.py"),
     "transcript": "words: tests/speech/test_from_recording.py",
     "parameter": "what explain prints",
     **dict.fromkeys(("presets", "configs"), "settings: tests/settings/test_presets.py"),

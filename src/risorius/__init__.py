@@ -44,8 +44,8 @@ if TYPE_CHECKING:
     from .face.head.head import Head as Head
     from .live.frame import LiveFrame as LiveFrame
     from .live.session import Live as Live
-    from .ports.rig import MuscleCoverage as MuscleCoverage
-    from .ports.rig import Rig as Rig
+    from .ports.mesh.rig import MuscleCoverage as MuscleCoverage
+    from .ports.mesh.rig import Rig as Rig
     from .rules.emotions import Display as Display
     from .settings import BlendChoices as BlendChoices
     from .settings import Look as Look
@@ -127,7 +127,7 @@ _MODULES = {
     "face.head.head": ("Head",),
     "live.frame": ("LiveFrame",),
     "live.session": ("Live",),
-    "ports.rig": ("Rig", "MuscleCoverage"),
+    "ports.mesh.rig": ("Rig", "MuscleCoverage"),
     "settings.presets": ("load_settings",),
     "rules.emotions": ("Display",),
     "settings": ("BlendChoices", "Look", "Settings"),

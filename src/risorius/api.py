@@ -29,7 +29,7 @@ from .take import Take
 from .unused_settings import CAPTURE, CHARACTER, PERFORMANCE, POSE, RECOGNIZED, SCORE, reject, reject_unused
 
 if TYPE_CHECKING:
-    from .ports.rig import MuscleCoverage, Rig
+    from .ports.mesh.rig import MuscleCoverage, Rig
 
 FileName = str | PathLike[str]
 Emotions = Mapping[str, float] | str | Iterable[Display | str]
@@ -211,8 +211,8 @@ def rig(
     from .face.fit.arkit_fit import ArkitFit
     from .face.head.head import head_of
     from .machine.atomic import replacing
-    from .ports.glb_file import save_glb
-    from .ports.rig import animated, check_performable, read_rig, report
+    from .ports.mesh.glb_file import save_glb
+    from .ports.mesh.rig import animated, check_performable, read_rig, report
 
     settings, path = checked(settings), path_of(character)
     reject(settings, CHARACTER, Place(str(character)))

@@ -24,8 +24,8 @@ from risorius.ports.curves.arkit_csv import COLUMNS as ARKIT_COLUMNS
 from risorius.ports.curves.arkit_csv import read_arkit_csv
 from risorius.ports.curves.au_csv import read_au_csv
 from risorius.ports.curves.fap import FLAGS, read_fap
-from risorius.ports.glb_file import GlbFile, save_glb
-from risorius.ports.rig import read_rig
+from risorius.ports.mesh.glb_file import GlbFile, save_glb
+from risorius.ports.mesh.rig import read_rig
 from risorius.reading.toml import load_file
 from risorius.render.backdrop import backdrop
 from risorius.rules.emotions import Emotion, parse_display

@@ -21,7 +21,7 @@ from risorius.face.head.head import load_head
 from risorius.languages import language_of
 from risorius.live.services import AzureVoice, CartesiaVoice, ElevenLabsVoice
 from risorius.live.session import Live
-from risorius.ports.glb_file import read_glb
+from risorius.ports.mesh.glb_file import read_glb
 from risorius.reading.json_text import parse_json
 from risorius.reading.toml import read_tables
 from risorius.render.backdrop import backdrop

@@ -25,8 +25,8 @@ from risorius.live import hearing
 from risorius.live.performer import LocalPerformer
 from risorius.live.voice import VoicedPhrase
 from risorius.pipeline import perform
-from risorius.ports.glb_file import GlbFile
-from risorius.ports.rig import Rig
+from risorius.ports.mesh.glb_file import GlbFile
+from risorius.ports.mesh.rig import Rig
 from risorius.script import Script
 from risorius.serve import limits
 from risorius.serve.server import ServeOptions

@@ -10,7 +10,7 @@ from .messages import table
 
 if TYPE_CHECKING:
     from ..blend import Tally
-    from ..ports.rig import MuscleCoverage, Rig
+    from ..ports.mesh.rig import MuscleCoverage, Rig
 
 
 def tell(summary: Mapping[str, Tally]) -> Iterator[str]:

@@ -69,7 +69,7 @@ def serve(
     map_file: Path | None,
 ) -> None:
     """Serve live faces over WebSocket: text in, frames with sound out, one face for each client."""
-    from ..ports.rig import check_performable, read_rig
+    from ..ports.mesh.rig import check_performable, read_rig
     from ..serve.server import ServeOptions
     from ..serve.server import serve as run
 

@@ -25,9 +25,9 @@ from ..looks.parts import Part
 from ..looks.perfusion import gained_by_lips
 from ..looks.riding import RidingHairs
 from ..looks.srgb import linear
-from .gltf import quaternions
 from .head_folds import HeadFolds
 from .head_shade import blood, light
+from .mesh.gltf import quaternions
 from .skin_formulas import key_shadow, shading
 from .stage_table import StageEye, StagePart, StageTable
 

@@ -6,8 +6,8 @@ import tempfile
 from pathlib import Path
 
 from .face_packer import FacePacker
-from .glb_scene import GlbScene
-from .gltf import Gltf
+from .mesh.glb_scene import GlbScene
+from .mesh.gltf import Gltf
 
 
 def head_glb(stage: FacePacker) -> bytes:

@@ -18,7 +18,7 @@ from ..live.frame import LiveFrame
 from ..live.pace import Pace
 from ..live.session import Live
 from ..live.weights import LiveWeights
-from ..ports.rig import Rig
+from ..ports.mesh.rig import Rig
 from ..settings import Settings
 from ..web.token_bucket import TokenBucket
 from . import limits

@@ -15,7 +15,7 @@ from ..core.arrays import Array
 from ..core.audio import Samples
 from ..core.parameters import NAMES
 from ..live.frame import LiveFrame
-from ..ports.rig import Rig
+from ..ports.mesh.rig import Rig
 from .messages import FrameFormat, Output
 
 HEADER = struct.Struct("<4sIdIIII")

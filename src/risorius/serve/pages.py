@@ -18,8 +18,8 @@ from starlette.staticfiles import StaticFiles
 from ..browser import ROOT
 from ..errors import unknown
 from ..face.head.head import load_head, shipped_heads
-from ..ports.glb import rig_scene
-from ..ports.gltf import Gltf
+from ..ports.mesh.glb import rig_scene
+from ..ports.mesh.gltf import Gltf
 from .choices import NAMES
 
 FILES = {

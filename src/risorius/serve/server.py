@@ -25,7 +25,7 @@ from ..api import speak
 from ..errors import InputError, RisoriusError
 from ..live.beside import warm_beside
 from ..live.session import Live
-from ..ports.rig import Rig
+from ..ports.mesh.rig import Rig
 from ..settings import Settings
 from ..web.guard import HOSTS, Guard
 from ..web.listening import HOST, bound, server_config

@@ -15,19 +15,19 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.arkit import SHAPES
-from ..core.arrays import Array, Float32Array
-from ..face.fit.shapes import ArkitShapes, arkit_shapes
-from ..face.frame import FaceFrame
-from ..face.head.head import Head
-from ..looks.head_model import head_model
-from ..looks.parts import Part
-from ..looks.riding import RidingHairs
+from ...core.arkit import SHAPES
+from ...core.arrays import Array, Float32Array
+from ...face.fit.shapes import ArkitShapes, arkit_shapes
+from ...face.frame import FaceFrame
+from ...face.head.head import Head
+from ...looks.head_model import head_model
+from ...looks.parts import Part
+from ...looks.riding import RidingHairs
+from ..formats import register
+from ..writable import WritableTake, WriteOptions
 from .basis import ClipBasis
-from .formats import register
 from .glb_scene import GlbScene
 from .gltf import Animation, Gltf, quaternions
-from .writable import WritableTake, WriteOptions
 
 GENERATOR = "Risorius"
 _SMALL = 1e-3  # mm: smaller displacements count as zero

@@ -12,20 +12,20 @@ from typing import Any
 
 import numpy as np
 
-from ..core.arkit import SHAPES
-from ..core.arrays import Array
-from ..errors import OutputError
-from ..face.fit.arkit_fit import ArkitTrack
-from ..face.fit.shapes import arkit_shapes
-from ..face.head.head import Head
-from ..face.numerics.rotations import head_rotation
-from ..looks.head_model import head_model
-from ..looks.parts import Part
-from ..looks.srgb import srgb_encode
-from .formats import register
+from ...core.arkit import SHAPES
+from ...core.arrays import Array
+from ...errors import OutputError
+from ...face.fit.arkit_fit import ArkitTrack
+from ...face.fit.shapes import arkit_shapes
+from ...face.head.head import Head
+from ...face.numerics.rotations import head_rotation
+from ...looks.head_model import head_model
+from ...looks.parts import Part
+from ...looks.srgb import srgb_encode
+from ..formats import register
+from ..writable import WritableTake, WriteOptions
 from .glb_paint import GlbPaint
 from .gltf import quaternion
-from .writable import WritableTake, WriteOptions
 
 METRES = 0.001
 _SMALL = 1e-3  # mm: smaller displacements count as zero

@@ -6,9 +6,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.face.numerics.rotations import about_axis
-from risorius.ports.gltf import Gltf, quaternion, quaternions
+from risorius.ports.mesh.gltf import Gltf, quaternion, quaternions
 
-from .gltf_reader import Document
+from ..gltf_reader import Document
 
 ANGLES = st.floats(-3.1, 3.1)
 

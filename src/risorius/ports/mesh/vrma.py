@@ -12,15 +12,15 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.arkit import SHAPES
-from ..core.arrays import Array
-from ..core.parameters import INDEX
-from ..face.fit.expressions import expressions, preset_weights
-from ..face.numerics.rotations import head_rotation
-from ..reading.json_text import JsonObject
-from .formats import register
+from ...core.arkit import SHAPES
+from ...core.arrays import Array
+from ...core.parameters import INDEX
+from ...face.fit.expressions import expressions, preset_weights
+from ...face.numerics.rotations import head_rotation
+from ...reading.json_text import JsonObject
+from ..formats import register
+from ..writable import WritableTake, WriteOptions
 from .gltf import Animation, Gltf, quaternions
-from .writable import WritableTake, WriteOptions
 
 EXTENSION, VERSION = "VRMC_vrm_animation", "1.0"
 # The bones that a humanoid must have above its head, and where each stands above the one before, in metres.

@@ -15,7 +15,7 @@ from risorius.looks.garment import neckline
 from risorius.looks.head_model import head_model
 from risorius.looks.parts import Part
 from risorius.looks.srgb import linear, srgb_decode
-from risorius.ports.glb_paint import GlbPaint, shown
+from risorius.ports.mesh.glb_paint import GlbPaint, shown
 from risorius.render.software_renderer import SoftwareRenderer
 
 WHITE, BLACK = (250, 250, 250), (12, 12, 12)

@@ -10,9 +10,9 @@ from risorius.cli import run
 from risorius.core.arkit import INDEX, SHAPES
 from risorius.errors import InputError, RisoriusError
 from risorius.face.fit.arkit_fit import ArkitFit
-from risorius.ports.glb_file import read_glb
-from risorius.ports.gltf import Gltf
-from risorius.ports.rig import guess_map, read_rig
+from risorius.ports.mesh.glb_file import read_glb
+from risorius.ports.mesh.gltf import Gltf
+from risorius.ports.mesh.rig import guess_map, read_rig
 from risorius.take import Take
 
 

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from risorius.core.arkit import SHAPES
-from risorius.ports.gltf import quaternion
+from risorius.ports.mesh.gltf import quaternion
 from risorius.take import Take
 
-from .gltf_reader import Document
+from ..gltf_reader import Document
 
 PRESETS = {
     *("happy", "angry", "sad", "relaxed", "surprised", "aa", "ih", "ou", "ee", "oh"),

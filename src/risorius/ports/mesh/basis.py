@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..core.arrays import Array, Float32Array, FloatArray, IndexArray
-from ..machine.kernels.jit import kernel
+from ...core.arrays import Array, Float32Array, FloatArray, IndexArray
+from ...machine.kernels.jit import kernel
 
 TOLERANCE = 0.3  # mm by which a vertex may be off before the basis grows
 MOST = 40

@@ -10,18 +10,18 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.arkit import INDEX, SHAPES
-from ..core.arrays import Array, Float32Array
-from ..core.parameters import INDEX as PARAMETER
-from ..core.parameters import NEUTRAL
-from ..errors import InputError, Place, unknown
-from ..face.fit.arkit_fit import ArkitFit, ArkitTrack
-from ..face.fit.response import FITTED
-from ..face.head.head import Head
-from ..face.solve import FaceSolver
-from ..machine.blas import one_thread
-from ..reading.source_text import SourceText
-from ..reading.toml import parse, read_text
+from ...core.arkit import INDEX, SHAPES
+from ...core.arrays import Array, Float32Array
+from ...core.parameters import INDEX as PARAMETER
+from ...core.parameters import NEUTRAL
+from ...errors import InputError, Place, unknown
+from ...face.fit.arkit_fit import ArkitFit, ArkitTrack
+from ...face.fit.response import FITTED
+from ...face.head.head import Head
+from ...face.solve import FaceSolver
+from ...machine.blas import one_thread
+from ...reading.source_text import SourceText
+from ...reading.toml import parse, read_text
 from .glb_file import GlbFile, read_glb
 
 WELL, PARTLY = 0.25, 0.6  # shares of a movement left over up to which it is shown well, and partly

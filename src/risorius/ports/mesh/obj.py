@@ -12,17 +12,17 @@ from pathlib import Path
 
 import numpy as np
 
-from ..core.arrays import Array
-from ..face.frame import FaceFrame
-from ..face.head.head import Head
-from ..looks.head_model import head_model
-from ..looks.parts import Part
-from ..looks.riding import RidingHairs
-from ..looks.srgb import srgb_encode
-from .formats import register
-from .table import write_lines
-from .video.png import frame_at
-from .writable import WritableTake, WriteOptions
+from ...core.arrays import Array
+from ...face.frame import FaceFrame
+from ...face.head.head import Head
+from ...looks.head_model import head_model
+from ...looks.parts import Part
+from ...looks.riding import RidingHairs
+from ...looks.srgb import srgb_encode
+from ..formats import register
+from ..table import write_lines
+from ..video.png import frame_at
+from ..writable import WritableTake, WriteOptions
 
 _EYES = ("eye_left", "eye_right")
 

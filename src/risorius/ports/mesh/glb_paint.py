@@ -14,18 +14,18 @@ from functools import cached_property
 
 import numpy as np
 
-from ..core.arrays import Array, ByteArray, FloatArray
-from ..face.head.head import Head
-from ..looks.anatomy import Anatomy, find_anatomy, smoothstep
-from ..looks.attributes import ALBEDO, INNER, SKIN, TEETH, TONGUE
-from ..looks.eyeball import iris_picture
-from ..looks.garment import neckline
-from ..looks.parts import HEM, Part
-from ..looks.srgb import linear, srgb_decode, srgb_encode
-from ..render.lights import STUDIO
-from ..render.materials.mouth import past_open_lips
-from ..render.resting import light_at_rest
-from ..render.tone import film
+from ...core.arrays import Array, ByteArray, FloatArray
+from ...face.head.head import Head
+from ...looks.anatomy import Anatomy, find_anatomy, smoothstep
+from ...looks.attributes import ALBEDO, INNER, SKIN, TEETH, TONGUE
+from ...looks.eyeball import iris_picture
+from ...looks.garment import neckline
+from ...looks.parts import HEM, Part
+from ...looks.srgb import linear, srgb_decode, srgb_encode
+from ...render.lights import STUDIO
+from ...render.materials.mouth import past_open_lips
+from ...render.resting import light_at_rest
+from ...render.tone import film
 
 # The shares of light are those in lips that stand apart as in an open vowel: mm from where they meet.
 _UPPER, _LOWER = 3.0, 9.0

@@ -20,8 +20,8 @@ from risorius.face.frame import FaceFrame
 from risorius.take import Take
 from tests.profiles import samples
 
-from .gltf_reader import Document
-from .npm import with_package
+from ..gltf_reader import Document
+from ..npm import with_package
 
 CHROMIUM, DRIVER = Path("/usr/bin/chromium"), Path("/usr/bin/chromedriver")
 FLAGS = (

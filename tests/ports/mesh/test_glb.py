@@ -9,11 +9,11 @@ from threadpoolctl import threadpool_limits
 from risorius.api import pose
 from risorius.core.arkit import SHAPES
 from risorius.face.fit.arkit_fit import ArkitFit
-from risorius.ports.gltf import quaternion
+from risorius.ports.mesh.gltf import quaternion
 from risorius.take import Take
 
-from .gltf_reader import Document
-from .npm import NODE, with_package
+from ..gltf_reader import Document
+from ..npm import NODE, with_package
 
 VALIDATE = """
 const validator = require('gltf-validator');

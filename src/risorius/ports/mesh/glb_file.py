@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, Any
 
-from ..errors import InputError, Place
-from ..reading.json_text import parse_json
+from ...errors import InputError, Place
+from ...reading.json_text import parse_json
 
 LARGEST = 1_000_000_000  # bytes
 _NOT_BINARY = "is not binary glTF 2.0; expected a .glb file"

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ..core.arrays import AnyArray, Array, Float32Array, FloatArray
-from ..reading.json_text import JsonObject
+from ...core.arrays import AnyArray, Array, Float32Array, FloatArray
+from ...reading.json_text import JsonObject
 from .glb_file import GlbFile, save_glb
 
 _TYPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4", 16: "MAT4"}

@@ -8,11 +8,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..core.arrays import Array, ByteArray, IntArray
-from ..face.head.head import Head
-from ..looks.attributes import HAIR, OCCLUSION, SPECULAR
-from ..looks.eyeball import pupil_axes
-from ..looks.parts import Part
+from ...core.arrays import Array, ByteArray, IntArray
+from ...face.head.head import Head
+from ...looks.attributes import HAIR, OCCLUSION, SPECULAR
+from ...looks.eyeball import pupil_axes
+from ...looks.parts import Part
 from .glb_paint import GlbPaint
 from .gltf import INDICES, VERTICES, Gltf
 

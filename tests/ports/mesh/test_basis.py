@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from risorius.ports.basis import ClipBasis
+from risorius.ports.mesh.basis import ClipBasis
 
 
 def test_a_clip_that_rests_needs_no_shape() -> None:
