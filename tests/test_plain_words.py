@@ -23,7 +23,7 @@ RIDDLES = {
 }
 # Files that are being replaced; their sentences go with them.
 LATER = {
-    "ports/page_modules.py",
+    "ports/page/page_modules.py",
 }
 
 

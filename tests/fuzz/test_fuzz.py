@@ -76,7 +76,7 @@ OURS = {
     "live/pcm": "samples, of which all bytes are right",
     "reading/positions": "keys that were parsed before",
     "face/skin/regions": "the bytes of its own table",
-    "ports/html": "bytes that it writes",
+    "ports/page/html": "bytes that it writes",
     "ports/curves/npz": "writes",
     "ports/video/encoder": "memory that both processes map",
     "ports/video/worker": "messages from us",

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from risorius.face.head.head import load_head
-from risorius.ports.head_shade import light, shade
+from risorius.ports.page.head_shade import light, shade
 
 
 @pytest.fixture(scope="module")

@@ -16,10 +16,10 @@ from risorius.looks.anatomy import find_anatomy
 from risorius.looks.garment import neckline
 from risorius.looks.head_model import head_model
 from risorius.looks.riding import RidingHairs
-from risorius.ports.face_packer import FRAMES, PARTS, POSE, STEP
-from risorius.ports.head_folds import SLOTS, HeadFolds
-from risorius.ports.head_glb import head_glb
-from risorius.ports.head_shade import HEM_STEPS, light, shade
+from risorius.ports.page.face_packer import FRAMES, PARTS, POSE, STEP
+from risorius.ports.page.head_folds import SLOTS, HeadFolds
+from risorius.ports.page.head_glb import head_glb
+from risorius.ports.page.head_shade import HEM_STEPS, light, shade
 from risorius.studio.solvers import stage_of
 
 

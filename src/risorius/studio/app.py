@@ -22,9 +22,9 @@ from ..api import speak
 from ..browser import ROOT
 from ..errors import InputError, RisoriusError, unknown
 from ..face.head.head import shipped_heads
-from ..ports.head_glb import head_glb
-from ..ports.head_shade import shade
-from ..ports.skin_formulas import skin_tables
+from ..ports.page.head_glb import head_glb
+from ..ports.page.head_shade import shade
+from ..ports.page.skin_formulas import skin_tables
 from ..serve.pages import parts
 from ..serve.pictures import PictureServer
 from ..serve.server import LiveServer, ServeOptions

@@ -13,7 +13,7 @@ from ..core.arrays import Array
 from ..core.parameters import NAMES
 from ..errors import InputError, unknown
 from ..face.head.head import shipped_heads
-from ..ports.face_packer import DIALLED
+from ..ports.page.face_packer import DIALLED
 from ..settings import Settings
 from .dials import SETTLED, DialledFace, dialled
 from .session_files import SessionFiles

@@ -11,7 +11,7 @@ from ..core.parameters import NEUTRAL
 from ..face.head.head import head_of
 from ..face.solve import FaceSolver
 from ..looks.apply_look import apply_look
-from ..ports.face_packer import FacePacker
+from ..ports.page.face_packer import FacePacker
 from ..settings import Look, Settings
 from ..solvers import SolverCache
 from .threads import on_thread

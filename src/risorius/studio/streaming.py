@@ -8,7 +8,7 @@ from concurrent.futures import Executor
 
 from ..face.frame import FaceFrame
 from ..face.solve import FaceSolver
-from ..ports.face_packer import FRAMES, MOMENT, FacePacker
+from ..ports.page.face_packer import FRAMES, MOMENT, FacePacker
 from ..settings import Settings
 from ..take import Take
 from .session import SessionTake

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from ..ports.stage_table import (
+from ..ports.page.stage_table import (
     StageBlood,
     StageEye,
     StageFolds,

@@ -12,7 +12,7 @@ from risorius.face.solve import FaceSolver
 from risorius.looks.attributes import ALBEDO
 from risorius.looks.head_model import head_model
 from risorius.looks.perfusion import LIPS_ABSORB, SKIN_ABSORBS, Perfusion
-from risorius.ports.face_packer import DIALLED
+from risorius.ports.page.face_packer import DIALLED
 from risorius.render.camera import Camera
 from risorius.render.software_renderer import SoftwareRenderer
 from risorius.rules.poses import pose_values

@@ -8,8 +8,8 @@ import pytest
 
 from risorius.machine.kernels.jit import f4
 from risorius.machine.kernels.vec import Vec, along, dot, smooth
-from risorius.ports.glsl import glsl_of
-from risorius.ports.skin_formulas import shading
+from risorius.ports.page.glsl import glsl_of
+from risorius.ports.page.skin_formulas import shading
 
 TABLE = [1.0, 2.0]
 INFINITE = math.inf

@@ -6,17 +6,17 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..looks.anatomy import Anatomy
-from ..looks.attributes import MAX_CURVATURE
-from ..looks.eyeball import IRIS
-from ..looks.garment import COLLAR
-from ..looks.noise import SIZE as CELLS
-from ..looks.noise import noise_tile
-from ..looks.parts import HEM, TEETH_GLOSS, TONGUE_GLOSS
-from ..render import creases, shadow, subsurface
-from ..render.brdf import gloss, mirrored, schlick
-from ..render.lights import STUDIO
-from ..render.materials import cloth, eye, folds, hair, lit, mouth, skin, skin_lamps
+from ...looks.anatomy import Anatomy
+from ...looks.attributes import MAX_CURVATURE
+from ...looks.eyeball import IRIS
+from ...looks.garment import COLLAR
+from ...looks.noise import SIZE as CELLS
+from ...looks.noise import noise_tile
+from ...looks.parts import HEM, TEETH_GLOSS, TONGUE_GLOSS
+from ...render import creases, shadow, subsurface
+from ...render.brdf import gloss, mirrored, schlick
+from ...render.lights import STUDIO
+from ...render.materials import cloth, eye, folds, hair, lit, mouth, skin, skin_lamps
 from .glsl import glsl_of
 from .stage_table import StageShading, StageShadow
 

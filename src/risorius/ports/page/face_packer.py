@@ -16,18 +16,18 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ..core.arrays import Array, Float32Array, Int16Array
-from ..face.frame import FaceFrame
-from ..face.head.head import Head
-from ..looks.eyeball import pupil_axes
-from ..looks.head_model import FACIAL_HAIRS, head_model
-from ..looks.parts import Part
-from ..looks.perfusion import gained_by_lips
-from ..looks.riding import RidingHairs
-from ..looks.srgb import linear
+from ...core.arrays import Array, Float32Array, Int16Array
+from ...face.frame import FaceFrame
+from ...face.head.head import Head
+from ...looks.eyeball import pupil_axes
+from ...looks.head_model import FACIAL_HAIRS, head_model
+from ...looks.parts import Part
+from ...looks.perfusion import gained_by_lips
+from ...looks.riding import RidingHairs
+from ...looks.srgb import linear
+from ..mesh.gltf import quaternions
 from .head_folds import HeadFolds
 from .head_shade import blood, light
-from .mesh.gltf import quaternions
 from .skin_formulas import key_shadow, shading
 from .stage_table import StageEye, StagePart, StageTable
 

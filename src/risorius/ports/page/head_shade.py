@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..face.head.head import Head
-from ..looks.anatomy import find_anatomy
-from ..looks.attributes import CURVATURE, INNER, MAX_CURVATURE, ROUGHNESS, SPECULAR
-from ..looks.garment import neckline
-from ..looks.head_model import head_model
-from ..looks.perfusion import LEAST, LIPS_ABSORB, MOST, ROUNDS, SKIN_ABSORBS, skin_blood
-from ..render.lights import STUDIO
-from ..render.resting import light_at_rest
+from ...face.head.head import Head
+from ...looks.anatomy import find_anatomy
+from ...looks.attributes import CURVATURE, INNER, MAX_CURVATURE, ROUGHNESS, SPECULAR
+from ...looks.garment import neckline
+from ...looks.head_model import head_model
+from ...looks.perfusion import LEAST, LIPS_ABSORB, MOST, ROUNDS, SKIN_ABSORBS, skin_blood
+from ...render.lights import STUDIO
+from ...render.resting import light_at_rest
 from .skin_formulas import STRONGEST
 from .stage_table import StageBlood, StageLamp, StageLight
 

@@ -6,8 +6,8 @@ import base64
 import json
 import re
 
-from risorius.ports.html import ENTRY
-from risorius.ports.page_modules import import_map, name_of
+from risorius.ports.page.html import ENTRY
+from risorius.ports.page.page_modules import import_map, name_of
 
 
 def test_modules_import_each_other_by_names_of_the_map() -> None:

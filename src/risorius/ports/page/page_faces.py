@@ -15,8 +15,8 @@ from itertools import islice
 
 import numpy as np
 
-from ..core.arrays import ByteArray, Float32Array, Int16Array
-from ..face.frame import FaceFrame
+from ...core.arrays import ByteArray, Float32Array, Int16Array
+from ...face.frame import FaceFrame
 from . import face_packer
 from .face_packer import FacePacker, pose_of
 

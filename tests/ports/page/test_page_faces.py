@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from risorius.ports import page_faces
-from risorius.ports.page_faces import CHUNK, COARSER, PackedFaces
+from risorius.ports.page import page_faces
+from risorius.ports.page.page_faces import CHUNK, COARSER, PackedFaces
 
 VERTICES, FOLDS = 5, 4
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
+from ..mesh.glb_scene import GlbScene
+from ..mesh.gltf import Gltf
 from .face_packer import FacePacker
-from .mesh.glb_scene import GlbScene
-from .mesh.gltf import Gltf
 
 
 def head_glb(stage: FacePacker) -> bytes:

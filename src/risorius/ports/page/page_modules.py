@@ -11,7 +11,7 @@ import json
 import re
 from collections.abc import Iterator
 
-from ..browser import ROOT
+from ...browser import ROOT
 
 # The address in `import … from "./x.js"`, `export … from "./x.js"` and `import "./x.js"`.
 _IMPORT = re.compile(r"""((?:\bfrom|\bimport)\s*)(["'])(\.{1,2}/[^"']+)\2""")

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..core.arrays import Array, ByteArray, Float32Array, IntArray
-from ..face.head.head import Head
-from ..face.skin.regions import place_regions
-from ..render.creases import Creases, lay_creases
+from ...core.arrays import Array, ByteArray, Float32Array, IntArray
+from ...face.head.head import Head
+from ...face.skin.regions import place_regions
+from ...render.creases import Creases, lay_creases
 from .stage_table import StageFolds
 
 SLOTS = 4

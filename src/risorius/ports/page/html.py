@@ -16,19 +16,19 @@ from typing import Any
 
 import numpy as np
 
-from ..browser import ROOT
-from ..core.channels import CHANNELS
-from ..core.score import Score
+from ...browser import ROOT
+from ...core.channels import CHANNELS
+from ...core.score import Score
+from ..formats import register
+from ..speech.subtitles import subtitles
+from ..table import write_lines
+from ..writable import WritableTake, WriteOptions
 from .face_packer import FacePacker
-from .formats import register
 from .head_glb import head_glb
 from .head_shade import shade
 from .page_faces import CHUNK, STEP, PackedFaces, deflated
 from .page_modules import import_map, name_of
 from .skin_formulas import skin_tables
-from .speech.subtitles import subtitles
-from .table import write_lines
-from .writable import WritableTake, WriteOptions
 
 ENTRY = "player/played.js"
 EXPLAINED_EVERY = 0.1
