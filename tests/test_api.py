@@ -33,9 +33,9 @@ def test_every_exported_name_is_there() -> None:
 
 
 def test_to_stream_is_a_package_and_stays_one() -> None:
-    assert isinstance(risorius.stream, ModuleType)
-    assert callable(risorius.stream.send_take)
-    assert isinstance(risorius.stream, ModuleType)
+    assert isinstance(risorius.live.stream, ModuleType)
+    assert callable(risorius.live.stream.send_take)
+    assert isinstance(risorius.live.stream, ModuleType)
 
 
 def _performed(script: Path) -> tuple[risorius.Take, list[str]]:

@@ -56,10 +56,9 @@ MAY_IMPORT: Mapping[str, set[str]] = {
     "live": PIPELINE | {"pipeline", "api"},
     "batches": PIPELINE | {"pipeline", "api"},
     "__init__": LIBRARY,
-    "stream": LIBRARY,
-    "serve": LIBRARY | {"__init__", "browser", "stream", "web"},
-    "studio": LIBRARY | {"__init__", "browser", "stream", "serve", "web"},
-    "cli": LIBRARY | {"__init__", "speaking", "stream", "serve", "studio"},
+    "serve": LIBRARY | {"__init__", "browser", "web"},
+    "studio": LIBRARY | {"__init__", "browser", "serve", "web"},
+    "cli": LIBRARY | {"__init__", "speaking", "serve", "studio"},
     "__main__": {"cli"},
 }
 # What a package may not see of one that it imports: the face knows curves alone, whatever they come from.

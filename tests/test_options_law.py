@@ -15,8 +15,9 @@ from typing import TYPE_CHECKING, Any
 import click
 import pytest
 
-from risorius import api, stream
+from risorius import api
 from risorius.cli import commands, run
+from risorius.live import stream
 from risorius.serve import server as live_server
 from risorius.settings import Settings, settings_of
 from risorius.settings.declare import rows

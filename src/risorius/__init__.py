@@ -145,7 +145,7 @@ def __getattr__(name: str) -> Any:
     from importlib import import_module
 
     if name == "stream":
-        return import_module(".stream", __name__)
+        return import_module(".live.stream", __name__)
     if name not in _HOMES:
         raise AttributeError(f"module 'risorius' has no attribute '{name}'")
     return getattr(import_module(f".{_HOMES[name]}", __name__), name)

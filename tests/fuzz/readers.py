@@ -19,6 +19,7 @@ from risorius.face.head.head_file import HeadFile
 from risorius.face.head.identity import read_identity
 from risorius.face.head.links import LinkTable
 from risorius.face.head.muscle_table import load_muscles
+from risorius.live.stream.receiver_socket import parse_address
 from risorius.machine.npz import read_arrays
 from risorius.ports.curves.arkit_csv import COLUMNS as ARKIT_COLUMNS
 from risorius.ports.curves.arkit_csv import read_arkit_csv
@@ -38,7 +39,6 @@ from risorius.speech.engines.program import ProgramEngine
 from risorius.speech.engines.protocol import SpeechRequest, Voice
 from risorius.speech.recordings.labelled import utterance_of_labels
 from risorius.speech.recordings.recording import read_recording
-from risorius.stream.receiver_socket import parse_address
 from risorius.studio.decoding import decode
 
 from .registry import register

@@ -21,6 +21,7 @@ from risorius.face.head.head import load_head
 from risorius.languages import language_of
 from risorius.live.services import AzureVoice, CartesiaVoice, ElevenLabsVoice
 from risorius.live.session import Live
+from risorius.live.stream.receiver_socket import parse_address
 from risorius.ports.mesh.glb_file import read_glb
 from risorius.reading.json_text import parse_json
 from risorius.reading.toml import read_tables
@@ -34,7 +35,6 @@ from risorius.settings import Settings
 from risorius.speech.engines.program import ProgramEngine
 from risorius.speech.engines.protocol import SpeechRequest, Voice
 from risorius.speech.recordings.labelled import utterance_of_labels
-from risorius.stream.receiver_socket import parse_address
 from risorius.studio.decoding import decode
 from risorius.studio.session_files import SessionFiles
 from risorius.web.guard import Guard

@@ -35,7 +35,7 @@ _READ = (Stage.VOICE, Stage.PLAN, Stage.COMBINE, Stage.FRAMES, Stage.HEAD, Stage
     group="Receiver",
     default="livelink",
     metavar="NAME",
-    type=Named(Names(path="stream:PROTOCOLS")),
+    type=Named(Names(path="live.stream:PROTOCOLS")),
     help="livelink, vmc, ifacialmocap or ifacialmocap-tcp.  [default: livelink]",
 )
 @option(
@@ -65,7 +65,7 @@ _READ = (Stage.VOICE, Stage.PLAN, Stage.COMBINE, Stage.FRAMES, Stage.HEAD, Stage
     "--names",
     group="Receiver",
     metavar="SET",
-    type=Named(Names(path="stream.protocols:NAMES")),
+    type=Named(Names(path="live.stream.protocols:NAMES")),
     help="Expressions over VMC: vrm0, vrm1, arkit or ARKit.  [default: vrm0]",
 )
 @option(
@@ -97,7 +97,7 @@ def stream(
     `speak`. Standard input is said sentence by sentence as it comes, until it ends.
     """
     from ..api import displays_of
-    from ..stream import PATIENCE, PROTOCOLS, Options, check_options, parse_address, send_live, send_take
+    from ..live.stream import PATIENCE, PROTOCOLS, Options, check_options, parse_address, send_live, send_take
 
     spoken = Spoken(source, is_text, emotions, audio, transcript)
     stream_options = {"subject": subject, "names": names}

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from types import TracebackType
 from typing import Any
 
-from ..errors import InputError, OutputError
+from ...errors import InputError, OutputError
 
 _PORT = re.compile(r"[0-9]{1,5}")
 PATIENCE = 5.0  # s that a receiver may take to answer, or to read on

@@ -5,7 +5,7 @@ from __future__ import annotations
 import socket
 import time
 
-from ..errors import InputError, OutputError
+from ...errors import InputError, OutputError
 from .protocols import Asked, Greetings
 from .receiver_socket import Address
 

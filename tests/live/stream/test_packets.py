@@ -13,8 +13,8 @@ from risorius.core.arkit import INDEX, SHAPES
 from risorius.errors import InputError
 from risorius.face.fit.arkit_fit import ArkitTrack
 from risorius.face.fit.expressions import expressions, preset_weights
-from risorius.stream import PROTOCOLS, ArkitMoment, Options
-from risorius.stream.osc import bundles, message
+from risorius.live.stream import PROTOCOLS, ArkitMoment, Options
+from risorius.live.stream.osc import bundles, message
 
 FPS = Fraction(30000, 1001)
 

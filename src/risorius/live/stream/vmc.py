@@ -12,11 +12,11 @@ from fractions import Fraction
 
 import numpy as np
 
-from ..core.arkit import SHAPES, column_of
-from ..core.arrays import Array
-from ..face.fit.expressions import expressions, preset_weights
-from ..face.numerics.rotations import head_rotation
-from ..ports.mesh.gltf import quaternion
+from ...core.arkit import SHAPES, column_of
+from ...core.arrays import Array
+from ...face.fit.expressions import expressions, preset_weights
+from ...face.numerics.rotations import head_rotation
+from ...ports.mesh.gltf import quaternion
 from .osc import bundles, message
 from .protocols import ArkitMoment, Options, Packets
 

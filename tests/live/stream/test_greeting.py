@@ -12,10 +12,10 @@ import pytest
 
 from risorius.core.arkit import INDEX
 from risorius.errors import InputError, OutputError
-from risorius.stream import PROTOCOLS, Address, clock, send_take, wait_for_greeting
-from risorius.stream.ifacialmocap import GREETINGS
-from risorius.stream.protocols import Asked
-from risorius.stream.send import SendCounts
+from risorius.live.stream import PROTOCOLS, Address, clock, send_take, wait_for_greeting
+from risorius.live.stream.ifacialmocap import GREETINGS
+from risorius.live.stream.protocols import Asked
+from risorius.live.stream.send import SendCounts
 from risorius.take import Take
 
 from .clocks import SleepingClock

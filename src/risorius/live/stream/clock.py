@@ -6,8 +6,8 @@ import time
 from types import TracebackType
 from typing import Protocol
 
-from ..core.arrays import Int16Array
-from ..core.audio import Audio
+from ...core.arrays import Int16Array
+from ...core.audio import Audio
 from .sound import open_output
 
 

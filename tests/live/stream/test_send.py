@@ -15,9 +15,9 @@ import pytest
 
 from risorius.core.audio import silence
 from risorius.errors import InputError, OutputError
-from risorius.stream import Address, parse_address, receiver_socket, send
-from risorius.stream import clock as clocks
-from risorius.stream.clock import MachineClock, SoundClock
+from risorius.live.stream import Address, parse_address, receiver_socket, send
+from risorius.live.stream import clock as clocks
+from risorius.live.stream.clock import MachineClock, SoundClock
 
 from .clocks import SleepingClock
 

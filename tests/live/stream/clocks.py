@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from risorius.stream.clock import MachineClock
+from risorius.live.stream.clock import MachineClock
 
 
 class SleepingClock(MachineClock):

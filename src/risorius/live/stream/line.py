@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from ..core.progress import Progress
-from ..errors import InputError
+from ...core.progress import Progress
+from ...errors import InputError
 from .greeting import wait_for_greeting
 from .protocols import PROTOCOLS, Options, Protocol, check_options
 from .receiver_socket import Address, check_host, parse_address

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from ..errors import OutputError
+from ...errors import OutputError
 
 
 def open_output(rate: int, callback: Callable[..., None] | None = None) -> Any:

@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
 
-from ..core.arrays import Array
-from ..core.registry import Registry
-from ..errors import InputError, UnusedSettingError, unknown
+from ...core.arrays import Array
+from ...core.registry import Registry
+from ...errors import InputError, UnusedSettingError, unknown
 
 NAMES = ("vrm0", "vrm1", "arkit", "ARKit")
 

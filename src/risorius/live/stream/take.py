@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..core.progress import Progress, quiet
-from ..take import Take
+from ...core.progress import Progress, quiet
+from ...take import Take
 from . import clock
 from .line import PATIENCE, Line
 from .protocols import ArkitMoment, Options

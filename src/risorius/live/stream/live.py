@@ -10,11 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from ..core.audio import Samples
-from ..core.progress import Progress, quiet
-from ..errors import RisoriusError
-from ..live.frame import LiveFrame
-from ..live.session import Live
+from ...core.audio import Samples
+from ...core.progress import Progress, quiet
+from ...errors import RisoriusError
+from ..frame import LiveFrame
+from ..session import Live
 from .line import PATIENCE, Line
 from .protocols import ArkitMoment, Options
 from .receiver_socket import ReceiverSocket

@@ -13,7 +13,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from ..core.arkit import INDEX, PACKET_SHAPES, ROTATIONS
+from ...core.arkit import INDEX, PACKET_SHAPES, ROTATIONS
 from .protocols import ArkitMoment, Options, Packets
 
 VERSION = 6

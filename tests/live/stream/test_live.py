@@ -18,7 +18,7 @@ from risorius import Live, Settings
 from risorius.cli import run
 from risorius.core.arkit import INDEX
 from risorius.errors import OutputError
-from risorius.stream import PROTOCOLS, ArkitMoment, Options, send_live
+from risorius.live.stream import PROTOCOLS, ArkitMoment, Options, send_live
 
 QUICK = Settings(lively=False, dynamics="static")
 

@@ -15,7 +15,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from ..core.arkit import SHAPES
+from ...core.arkit import SHAPES
 from .protocols import ArkitMoment, Asked, Options, Packets
 
 _SECRET = b"_sahuasouryya9218sauhuiayeta91555dy3719"
