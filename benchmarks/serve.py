@@ -17,7 +17,7 @@ from typing import NamedTuple
 from websockets.asyncio.client import connect
 
 from live import TALK, computing
-from risorius.serve.frames import HEADER
+from risorius.live.serve.frames import HEADER
 
 CLIENTS, SECONDS, STAGGER = 10, 12.0, 0.23
 PORT, LOADING = 8867, 8.0

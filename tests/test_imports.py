@@ -34,7 +34,6 @@ MAY_IMPORT: Mapping[str, set[str]] = {
     "core": {"reading"},
     "machine": FIELD,
     "browser": set(),
-    "web": BASE,
     "languages": BASE,
     "rules": BASE | {"languages"},
     "script": BASE | {"languages", "rules"},
@@ -53,12 +52,11 @@ MAY_IMPORT: Mapping[str, set[str]] = {
     "pipeline": PIPELINE - {"face", "looks", "render", "ports", "unused_settings"},
     "api": PIPELINE | {"pipeline"},
     "speaking": PIPELINE | {"api"},
-    "live": PIPELINE | {"pipeline", "api"},
+    "live": PIPELINE | {"pipeline", "api", "browser"},
     "batches": PIPELINE | {"pipeline", "api"},
     "__init__": LIBRARY,
-    "serve": LIBRARY | {"__init__", "browser", "web"},
-    "studio": LIBRARY | {"__init__", "browser", "serve", "web"},
-    "cli": LIBRARY | {"__init__", "speaking", "serve", "studio"},
+    "studio": LIBRARY | {"__init__", "browser"},
+    "cli": LIBRARY | {"__init__", "speaking", "studio"},
     "__main__": {"cli"},
 }
 # What a package may not see of one that it imports: the face knows curves alone, whatever they come from.

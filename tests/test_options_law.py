@@ -18,7 +18,7 @@ import pytest
 from risorius import api
 from risorius.cli import commands, run
 from risorius.live import stream
-from risorius.serve import server as live_server
+from risorius.live.serve import server as live_server
 from risorius.settings import Settings, settings_of
 from risorius.settings.declare import rows
 from risorius.studio import server
@@ -39,7 +39,7 @@ NO_BYTE = {
     "token_file": "who may use a server",
     "origins": "whose pages may use a server",
     "clients": "how many may use a server",
-    "rig": "whose weights a server can send: tests/serve/test_server.py",
+    "rig": "whose weights a server can send: tests/live/serve/test_server.py",
     "no_browser": "who opens the studio's page",
     "folder": "where the studio's sessions are",
     "jobs": "how many processes perform a batch",

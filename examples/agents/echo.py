@@ -16,7 +16,7 @@ from typing import Any
 
 from risorius import Live
 from risorius.errors import InputError
-from risorius.serve.server import ServeOptions, serve
+from risorius.live.serve.server import ServeOptions, serve
 
 
 class EchoFace(Live):

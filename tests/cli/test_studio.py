@@ -12,7 +12,7 @@ import pytest
 from tests.profiles import everyday
 
 from risorius.cli import run
-from risorius.web.listening import bound
+from risorius.live.serve.listening import bound
 
 
 def test_a_port_that_is_taken_is_named(capsys):

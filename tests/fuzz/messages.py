@@ -21,13 +21,14 @@ from risorius.batches.journal import NAME as JOURNAL
 from risorius.batches.journal import Journal
 from risorius.core.progress import quiet
 from risorius.errors import InputError, OutputError, RisoriusError
+from risorius.live.serve.choices import settings_from
+from risorius.live.serve.client import follow
+from risorius.live.serve.frames import FrameLayout
+from risorius.live.serve.guard import Guard
+from risorius.live.serve.messages import Interrupt, Output, StartFace
+from risorius.live.serve.messages import decode as decode_live
 from risorius.live.services import AzureVoice, CartesiaVoice, ElevenLabsVoice
 from risorius.live.session import Live
-from risorius.serve.choices import settings_from
-from risorius.serve.client import follow
-from risorius.serve.frames import FrameLayout
-from risorius.serve.messages import Interrupt, Output, StartFace
-from risorius.serve.messages import decode as decode_live
 from risorius.settings import Settings
 from risorius.settings.presets import load_settings
 from risorius.studio import session_list
@@ -40,7 +41,6 @@ from risorius.studio.request_table import ROWS
 from risorius.studio.session import Session
 from risorius.studio.session_files import SessionFiles
 from risorius.studio.wire import requests, shared
-from risorius.web.guard import Guard
 
 from .registry import register
 from .scores import MINIMAL, SCORE, as_json

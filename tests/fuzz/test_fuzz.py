@@ -22,11 +22,11 @@ from hypothesis import HealthCheck, given, settings
 
 import risorius
 from risorius.errors import RisoriusError
+from risorius.live.serve.messages import KINDS
 from risorius.ports.formats import FORMATS
 from risorius.reading.schema import MisfitError, converter
 from risorius.script.read import READERS as SCRIPTS
 from risorius.script.read import RECORDING_SUFFIXES
-from risorius.serve.messages import KINDS
 from risorius.settings import Settings, settings_of
 from risorius.settings.declare import rows
 from risorius.studio.request_table import VERBS
@@ -60,7 +60,7 @@ PARSERS = {
     "ports/score/speech_json": ".score.json",
     "render/backdrop": ".png",
     "script/elements": ".xml .ssml .bml",
-    "serve/messages": ".client",
+    "live/serve/messages": ".client",
     "speech/engines/program": ".answer",
     "speech/recordings/film_worker": ".m4a .mp4 .mov .webm .mkv .aac",
     "speech/recordings/recording": ".wav .flac .ogg .mp3",

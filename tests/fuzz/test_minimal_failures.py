@@ -19,6 +19,7 @@ from risorius.core.performance import frame_count
 from risorius.errors import InputError, RisoriusError
 from risorius.face.head.head import load_head
 from risorius.languages import language_of
+from risorius.live.serve.guard import Guard
 from risorius.live.services import AzureVoice, CartesiaVoice, ElevenLabsVoice
 from risorius.live.session import Live
 from risorius.live.stream.receiver_socket import parse_address
@@ -37,7 +38,6 @@ from risorius.speech.engines.protocol import SpeechRequest, Voice
 from risorius.speech.recordings.labelled import utterance_of_labels
 from risorius.studio.decoding import decode
 from risorius.studio.session_files import SessionFiles
-from risorius.web.guard import Guard
 
 from .guard import CPU_SECONDS, one_line_or_done
 

@@ -13,9 +13,9 @@ import anyio._backends._asyncio  # anyio imports it in the server's thread else
 import uvicorn
 
 import risorius
+from risorius.live.serve.listening import bound
 from risorius.studio.app import Studio
 from risorius.studio.server import configured
-from risorius.web.listening import bound
 
 
 @cache

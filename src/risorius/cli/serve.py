@@ -69,9 +69,9 @@ def serve(
     map_file: Path | None,
 ) -> None:
     """Serve live faces over WebSocket: text in, frames with sound out, one face for each client."""
+    from ..live.serve.server import ServeOptions
+    from ..live.serve.server import serve as run
     from ..ports.mesh.rig import check_performable, read_rig
-    from ..serve.server import ServeOptions
-    from ..serve.server import serve as run
 
     if map_file is not None and rig is None:
         raise InputError("--map belongs to a character; expected --rig as well")

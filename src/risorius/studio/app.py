@@ -22,13 +22,13 @@ from ..api import speak
 from ..browser import ROOT
 from ..errors import InputError, RisoriusError, unknown
 from ..face.head.head import shipped_heads
+from ..live.serve.guard import Guard
+from ..live.serve.pages import parts
+from ..live.serve.pictures import PictureServer
+from ..live.serve.server import LiveServer, ServeOptions
 from ..ports.page.head_glb import head_glb
 from ..ports.page.head_shade import shade
 from ..ports.page.skin_formulas import skin_tables
-from ..serve.pages import parts
-from ..serve.pictures import PictureServer
-from ..serve.server import LiveServer, ServeOptions
-from ..web.guard import Guard
 from . import limits, session_list
 from .catalogue import catalogue_json
 from .connection import Connection

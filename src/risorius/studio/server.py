@@ -12,7 +12,7 @@ from pathlib import Path
 import uvicorn
 
 from ..errors import OutputError, Place
-from ..web.listening import HOST, bound, server_config
+from ..live.serve.listening import HOST, bound, server_config
 from . import limits
 from .app import Studio
 

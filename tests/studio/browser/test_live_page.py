@@ -10,7 +10,7 @@ import pytest
 from risorius.core.arkit import SHAPES
 from risorius.face.numerics.rotations import head_rotation
 
-from ...serve.running import running
+from ...live.serve.running import running
 from .driving import Page
 
 # So long (some half a minute) that a page that is kept waiting interrupts it all the same.

@@ -16,9 +16,9 @@ import uvicorn
 from websockets.sync.client import ClientConnection, connect
 
 from risorius.core.arrays import Array
-from risorius.serve.server import LiveServer, ServeOptions, configured, listener
+from risorius.live.serve.server import LiveServer, ServeOptions, configured, listener
 
-from ..studio.running import parse_ahead
+from ...studio.running import parse_ahead
 
 
 @dataclass

@@ -10,12 +10,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.arkit import INDEX, ROTATIONS, SHAPES
-from ..core.arrays import Array
-from ..core.audio import Samples
-from ..core.parameters import NAMES
-from ..live.frame import LiveFrame
-from ..ports.mesh.rig import Rig
+from ...core.arkit import INDEX, ROTATIONS, SHAPES
+from ...core.arrays import Array
+from ...core.audio import Samples
+from ...core.parameters import NAMES
+from ...ports.mesh.rig import Rig
+from ..frame import LiveFrame
 from .messages import FrameFormat, Output
 
 HEADER = struct.Struct("<4sIdIIII")

@@ -23,13 +23,13 @@ from risorius.core.parameters import NAMES
 from risorius.errors import InputError, SpeechError
 from risorius.live import hearing
 from risorius.live.performer import LocalPerformer
+from risorius.live.serve import limits
+from risorius.live.serve.server import ServeOptions
 from risorius.live.voice import VoicedPhrase
 from risorius.pipeline import perform
 from risorius.ports.mesh.glb_file import GlbFile
 from risorius.ports.mesh.rig import Rig
 from risorius.script import Script
-from risorius.serve import limits
-from risorius.serve.server import ServeOptions
 
 from .running import Client, Running, running, sound_of, unpacked
 

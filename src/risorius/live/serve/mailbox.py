@@ -7,8 +7,8 @@ from collections import deque
 
 import numpy as np
 
-from ..core.audio import Samples
-from ..live.frame import LiveFrame
+from ...core.audio import Samples
+from ..frame import LiveFrame
 from . import limits
 from .frames import SentFrame
 

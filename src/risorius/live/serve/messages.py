@@ -14,13 +14,13 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from ..core.audio import Samples
-from ..errors import InputError, unknown
-from ..reading.frozen import FrozenDict
-from ..reading.hints import Range
-from ..reading.json_object import json_object, without_nulls
-from ..reading.schema import build
-from ..reading.source_text import SourceText, Syntax
+from ...core.audio import Samples
+from ...errors import InputError, unknown
+from ...reading.frozen import FrozenDict
+from ...reading.hints import Range
+from ...reading.json_object import json_object, without_nulls
+from ...reading.schema import build
+from ...reading.source_text import SourceText, Syntax
 from . import limits
 
 VERSION = 1

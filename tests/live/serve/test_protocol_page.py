@@ -7,12 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from risorius.serve import limits
-from risorius.serve.server import warm_up
+from risorius.live.serve import limits
+from risorius.live.serve.server import warm_up
 
 from .running import running
 
-PAGE = Path(__file__).parents[2] / "docs" / "serve.md"
+PAGE = Path(__file__).parents[3] / "docs" / "serve.md"
 
 
 def test_the_printed_client_hears_a_face(

@@ -15,11 +15,11 @@ from starlette.responses import FileResponse, JSONResponse, PlainTextResponse, R
 from starlette.routing import BaseRoute, Mount, Route
 from starlette.staticfiles import StaticFiles
 
-from ..browser import ROOT
-from ..errors import unknown
-from ..face.head.head import load_head, shipped_heads
-from ..ports.mesh.glb import rig_scene
-from ..ports.mesh.gltf import Gltf
+from ...browser import ROOT
+from ...errors import unknown
+from ...face.head.head import load_head, shipped_heads
+from ...ports.mesh.glb import rig_scene
+from ...ports.mesh.gltf import Gltf
 from .choices import NAMES
 
 FILES = {

@@ -14,7 +14,7 @@ from PIL import Image
 
 from risorius.core.arrays import Array
 from risorius.core.parameters import INDEX, NEUTRAL
-from risorius.serve import pictures
+from risorius.live.serve import pictures
 
 from .running import Running, running
 

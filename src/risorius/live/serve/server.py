@@ -21,16 +21,16 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import BaseRoute, Route, WebSocketRoute
 from starlette.websockets import WebSocket
 
-from ..api import speak
-from ..errors import InputError, RisoriusError
-from ..live.beside import warm_beside
-from ..live.session import Live
-from ..ports.mesh.rig import Rig
-from ..settings import Settings
-from ..web.guard import HOSTS, Guard
-from ..web.listening import HOST, bound, server_config
+from ...api import speak
+from ...errors import InputError, RisoriusError
+from ...ports.mesh.rig import Rig
+from ...settings import Settings
+from ..beside import warm_beside
+from ..session import Live
 from . import limits, pages
 from .client import BUSY, Gate, LiveClient
+from .guard import HOSTS, Guard
+from .listening import HOST, bound, server_config
 from .pictures import PictureServer
 
 PORT = 8766

@@ -7,7 +7,7 @@ import socket
 import uvicorn
 from starlette.types import ASGIApp
 
-from ..errors import OutputError
+from ...errors import OutputError
 
 HOST = "127.0.0.1"
 

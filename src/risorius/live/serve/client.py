@@ -13,14 +13,13 @@ from math import ceil
 
 from starlette.websockets import WebSocket, WebSocketDisconnect, WebSocketState
 
-from ..errors import InputError, RisoriusError
-from ..live.frame import LiveFrame
-from ..live.pace import Pace
-from ..live.session import Live
-from ..live.weights import LiveWeights
-from ..ports.mesh.rig import Rig
-from ..settings import Settings
-from ..web.token_bucket import TokenBucket
+from ...errors import InputError, RisoriusError
+from ...ports.mesh.rig import Rig
+from ...settings import Settings
+from ..frame import LiveFrame
+from ..pace import Pace
+from ..session import Live
+from ..weights import LiveWeights
 from . import limits
 from .choices import settings_from
 from .frames import FrameLayout, written
@@ -39,6 +38,7 @@ from .messages import (
     StartFace,
     decode,
 )
+from .token_bucket import TokenBucket
 
 LOG = logging.getLogger(__name__)
 # Codes with which a socket closes (RFC 6455, 7.4.1).

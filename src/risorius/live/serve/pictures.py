@@ -18,18 +18,18 @@ from starlette.requests import Request
 from starlette.responses import PlainTextResponse, Response
 from starlette.routing import Route
 
-from ..core.arrays import ByteArray
-from ..core.parameters import NAMES, NEUTRAL, PARAMETERS
-from ..errors import InputError, RisoriusError, unknown
-from ..face.head.head import shipped_heads
-from ..face.solve import FaceSolver
-from ..looks.apply_look import apply_look
-from ..looks.head_model import head_model
-from ..render.camera import Camera
-from ..render.framing import frame_head
-from ..render.software_renderer import SoftwareRenderer
-from ..settings import Look, Settings
-from ..solvers import SolverCache
+from ...core.arrays import ByteArray
+from ...core.parameters import NAMES, NEUTRAL, PARAMETERS
+from ...errors import InputError, RisoriusError, unknown
+from ...face.head.head import shipped_heads
+from ...face.solve import FaceSolver
+from ...looks.apply_look import apply_look
+from ...looks.head_model import head_model
+from ...render.camera import Camera
+from ...render.framing import frame_head
+from ...render.software_renderer import SoftwareRenderer
+from ...settings import Look, Settings
+from ...solvers import SolverCache
 
 K = TypeVar("K")
 V = TypeVar("V")

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from ..core.frame_rate import parse_fps
-from ..errors import InputError, unknown
-from ..face.head.head import shipped_heads
-from ..rules.profiles import profile
-from ..settings import Settings, settings_of
-from ..speech.engines.registry import is_voice_file
+from ...core.frame_rate import parse_fps
+from ...errors import InputError, unknown
+from ...face.head.head import shipped_heads
+from ...rules.profiles import profile
+from ...settings import Settings, settings_of
+from ...speech.engines.registry import is_voice_file
 from .messages import StartFace
 
 NAMES = (

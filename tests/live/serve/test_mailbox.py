@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 
 from risorius.core.parameters import NAMES
 from risorius.live.frame import LiveFrame
-from risorius.serve import limits
-from risorius.serve.frames import SentFrame
-from risorius.serve.mailbox import Mailbox
+from risorius.live.serve import limits
+from risorius.live.serve.frames import SentFrame
+from risorius.live.serve.mailbox import Mailbox
 
 RATE, FPS = 1_000, 10
 

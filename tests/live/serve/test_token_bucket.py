@@ -5,7 +5,7 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.web.token_bucket import TokenBucket
+from risorius.live.serve.token_bucket import TokenBucket
 
 
 def test_much_may_come_at_once_and_little_in_the_long_run() -> None:
