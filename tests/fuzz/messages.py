@@ -35,12 +35,12 @@ from risorius.studio import session_list
 from risorius.studio.app import looks_of
 from risorius.studio.autosave import DRAFT, FILE, Autosave
 from risorius.studio.decoding import decode
-from risorius.studio.messages import encoded
 from risorius.studio.project import VERSION, open_project
 from risorius.studio.request_table import ROWS
 from risorius.studio.session import Session
 from risorius.studio.session_files import SessionFiles
 from risorius.studio.wire import requests, shared
+from risorius.studio.wire.messages import encoded
 
 from .registry import register
 from .scores import MINIMAL, SCORE, as_json

@@ -12,11 +12,11 @@ from risorius.core.progress import quiet
 from risorius.errors import RisoriusError
 from risorius.studio.autosave import Autosave
 from risorius.studio.decoding import decode
-from risorius.studio.messages import encoded
 from risorius.studio.project import open_project, project_file
 from risorius.studio.session import Session
 from risorius.studio.wire import requests
 from risorius.studio.wire.marks import Marker
+from risorius.studio.wire.messages import encoded
 
 from .sessions import edit, perform, state
 

@@ -4,13 +4,13 @@ from pathlib import Path
 
 from risorius.studio.request_table import EDITING, ROWS, VERBS
 from risorius.studio.wire import events, requests
-from risorius.studio.wire.javascript import FILE, source
+from risorius.studio.wire_javascript import FILE, source
 
 ANSWERS = {row.answer for row in ROWS.values()}
 
 
 def test_the_file_is_up_to_date():
-    assert FILE.read_text(encoding="utf-8") == source(), "run python -m risorius.studio.wire.javascript"
+    assert FILE.read_text(encoding="utf-8") == source(), "run python -m risorius.studio.wire_javascript"
 
 
 def test_every_message_is_in_it():

@@ -33,11 +33,11 @@ from . import limits, session_list
 from .catalogue import catalogue_json
 from .connection import Connection
 from .exports import ARCHIVE
-from .messages import encoded
 from .session_list import NAME
 from .shared_session import SharedSession
 from .solvers import Solvers, stage_of
 from .uploads import TooLargeError, sweep, to_file, to_memory
+from .wire.messages import encoded
 
 SAME_FOR_AN_HOUR = {"cache-control": "private, max-age=3600"}
 

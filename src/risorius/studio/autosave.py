@@ -15,13 +15,13 @@ from ..ports.layout import write_json
 from ..ports.readable import ScoreFile
 from ..ports.score.score_json import score_to_json
 from ..reading.schema import MisfitError
-from .messages import encoded, read_message
 from .project import Opened, ProjectVersion, SavedEdits, SavedLost, SavedMade, header, version_of
 from .scores import parsed, read_score
 from .session import Session
 from .session_files import SessionFiles, digest, write_text
 from .version import Version
 from .wire.marks import LaneStates, Markers
+from .wire.messages import encoded, read_message
 from .wire.shared import TakeInputs
 from .wire.views import PageView
 

@@ -23,9 +23,10 @@ from ..rules.rule_set import shipped
 from ..rules.tuned import numbers_of
 from ..settings.declare import Row, ValueKind
 from ..speech.engines.voices import voices
-from . import limits, tables
-from .messages import encoded
+from . import limits
+from .wire import tables
 from .wire.choices import EXPORTED, LARGEST_WHOLE, chosen_rows, exported_rows, on_wire
+from .wire.messages import encoded
 from .wire.shared import Choices, Format
 
 ONSET_STEPS = 25

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .tables import LimitsTable
+from .wire.tables import LimitsTable
 
 # Characters of a script, and frames of a take: an hour at 60 a second.
 SCRIPT = 200_000

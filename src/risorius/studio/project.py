@@ -28,13 +28,13 @@ from ..reading.hints import Then
 from ..reading.schema import placed, within
 from ..take import with_profile
 from .choices import settings_of
-from .messages import encoded, read_message
 from .scores import parsed, score_file
 from .session import Session
 from .session_files import SessionFiles
 from .version import LostEdit, Version
 from .wire import requests, shared
 from .wire.marks import LaneStates, Marker, Markers
+from .wire.messages import encoded, read_message
 from .wire.views import PageView
 
 VERSION = 1

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
 from typing import Any, TypeVar, cast
 
-from ..reading.json_object import without_nulls
-from ..reading.schema import converter
-from .wire.events import EVENTS
+from ...reading.json_object import without_nulls
+from ...reading.schema import converter
+from .events import EVENTS
 
 T = TypeVar("T")
 _EVENT_NAMES = {cls: name for name, cls in EVENTS.items()}

@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 
 from risorius.core.edits import Move
 from risorius.studio.decoding import BadRequestError, decode
-from risorius.studio.messages import answer, encoded, event, refusal
 from risorius.studio.request_table import VERBS
 from risorius.studio.wire import answers, events, requests, shared
+from risorius.studio.wire.messages import answer, encoded, event, refusal
 
 BAD = [
     ("", None, "is not JSON"),

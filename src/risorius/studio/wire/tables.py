@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from ..ports.page.stage_table import (
+from ...ports.page.stage_table import (
     StageBlood,
     StageEye,
     StageFolds,
@@ -16,7 +16,7 @@ from ..ports.page.stage_table import (
     StageShadow,
     StageTable,
 )
-from .wire.shared import Choices
+from .shared import Choices
 
 
 @dataclass(frozen=True, slots=True)
