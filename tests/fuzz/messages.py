@@ -37,8 +37,8 @@ from risorius.studio.autosave import DRAFT, FILE, Autosave
 from risorius.studio.decoding import decode
 from risorius.studio.project import VERSION, open_project
 from risorius.studio.request_table import ROWS
-from risorius.studio.session import Session
-from risorius.studio.session_files import SessionFiles
+from risorius.studio.session.session import Session
+from risorius.studio.session.session_files import SessionFiles
 from risorius.studio.wire import requests, shared
 from risorius.studio.wire.messages import encoded
 

@@ -37,7 +37,7 @@ from risorius.speech.engines.program import ProgramEngine
 from risorius.speech.engines.protocol import SpeechRequest, Voice
 from risorius.speech.recordings.labelled import utterance_of_labels
 from risorius.studio.decoding import decode
-from risorius.studio.session_files import SessionFiles
+from risorius.studio.session.session_files import SessionFiles
 
 from .guard import CPU_SECONDS, one_line_or_done
 

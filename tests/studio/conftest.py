@@ -16,8 +16,9 @@ import pytest
 from websockets.sync.client import connect
 
 from risorius.pipeline import speak
-from risorius.studio import limits, performer
-from risorius.studio.session import Session
+from risorius.studio import limits
+from risorius.studio.session import performer
+from risorius.studio.session.session import Session
 
 from .running import running
 

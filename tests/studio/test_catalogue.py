@@ -12,7 +12,7 @@ from risorius.ports.formats import FORMATS
 from risorius.rules.rule_set import shipped
 from risorius.settings import Settings
 from risorius.studio.catalogue import catalogue, catalogue_json
-from risorius.studio.choices import settings_of
+from risorius.studio.session.choices import settings_of
 from risorius.studio.wire.requests import Export
 from risorius.studio.wire.shared import Choices
 

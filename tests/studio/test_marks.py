@@ -13,7 +13,7 @@ from risorius.errors import RisoriusError
 from risorius.studio.autosave import Autosave
 from risorius.studio.decoding import decode
 from risorius.studio.project import open_project, project_file
-from risorius.studio.session import Session
+from risorius.studio.session.session import Session
 from risorius.studio.wire import requests
 from risorius.studio.wire.marks import Marker
 from risorius.studio.wire.messages import encoded

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 
 from risorius.studio import pose_preview
 from risorius.studio.pose_preview import PosePreview
-from risorius.studio.session_files import SessionFiles
+from risorius.studio.session.session_files import SessionFiles
 from risorius.studio.solvers import Solvers
 from risorius.studio.wire import requests
 

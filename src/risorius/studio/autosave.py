@@ -16,10 +16,10 @@ from ..ports.readable import ScoreFile
 from ..ports.score.score_json import score_to_json
 from ..reading.schema import MisfitError
 from .project import Opened, ProjectVersion, SavedEdits, SavedLost, SavedMade, header, version_of
-from .scores import parsed, read_score
-from .session import Session
-from .session_files import SessionFiles, digest, write_text
-from .version import Version
+from .session.scores import parsed, read_score
+from .session.session import Session
+from .session.session_files import SessionFiles, digest, write_text
+from .session.version import Version
 from .wire.marks import LaneStates, Markers
 from .wire.messages import encoded, read_message
 from .wire.shared import TakeInputs

@@ -16,7 +16,7 @@ from ..face.head.head import shipped_heads
 from ..ports.page.face_packer import DIALLED
 from ..settings import Settings
 from .dials import SETTLED, DialledFace, dialled
-from .session_files import SessionFiles
+from .session.session_files import SessionFiles
 from .solvers import Solvers, stage_of
 from .streaming import Send
 from .threads import on_thread

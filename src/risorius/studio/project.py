@@ -27,11 +27,11 @@ from ..ports.score.score_json import ScoreDocument, score_to_json
 from ..reading.hints import Then
 from ..reading.schema import placed, within
 from ..take import with_profile
-from .choices import settings_of
-from .scores import parsed, score_file
-from .session import Session
-from .session_files import SessionFiles
-from .version import LostEdit, Version
+from .session.choices import settings_of
+from .session.scores import parsed, score_file
+from .session.session import Session
+from .session.session_files import SessionFiles
+from .session.version import LostEdit, Version
 from .wire import requests, shared
 from .wire.marks import LaneStates, Marker, Markers
 from .wire.messages import encoded, read_message

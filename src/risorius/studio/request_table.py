@@ -8,9 +8,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from . import looking, rules_fired
+from . import rules_fired
 from .page_requests import PageRequests
-from .session import Session
+from .session import looking
+from .session.session import Session
 from .wire import requests
 
 _CAPITAL = re.compile(r"(?<=[a-z])(?=[A-Z])")

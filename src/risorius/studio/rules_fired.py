@@ -9,7 +9,7 @@ from ..core.movement import Movement
 from ..core.progress import Progress
 from ..core.score import Score
 from ..rules.rule_set import rule_set_of
-from .session import Session
+from .session.session import Session
 from .wire.shared import Whole
 
 

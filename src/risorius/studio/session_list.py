@@ -12,7 +12,7 @@ from pathlib import Path
 
 from ..errors import InputError
 from .autosave import DRAFT, FILE
-from .session_files import write_text
+from .session.session_files import write_text
 from .uploads import BEGINNING
 
 NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,39}")

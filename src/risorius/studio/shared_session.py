@@ -15,7 +15,7 @@ from . import exports
 from .autosave import Autosave
 from .exports import Exports
 from .project import open_project, project_file
-from .session import Session
+from .session.session import Session
 from .wire import answers, events, requests, takes
 
 T = TypeVar("T")

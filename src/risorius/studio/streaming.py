@@ -11,7 +11,7 @@ from ..face.solve import FaceSolver
 from ..ports.page.face_packer import FRAMES, MOMENT, FacePacker
 from ..settings import Settings
 from ..take import Take
-from .session import SessionTake
+from .session.session import SessionTake
 from .solvers import Solvers, stage_of
 from .threads import on_thread
 from .wire import answers, requests

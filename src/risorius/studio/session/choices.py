@@ -5,19 +5,19 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from ..core.score import BlendSettings
-from ..errors import InputError, unknown
-from ..face.head.head import shipped_heads
-from ..rules.profiles import profile as named_profile
-from ..rules.profiles import profile_from, profile_texts
-from ..rules.rule_set import extended, shipped
-from ..settings import BlendChoices, Settings
-from ..settings import settings_of as settings_from
-from ..settings.declare import rows
-from ..speech.engines.registry import is_voice_file
+from ...core.score import BlendSettings
+from ...errors import InputError, unknown
+from ...face.head.head import shipped_heads
+from ...rules.profiles import profile as named_profile
+from ...rules.profiles import profile_from, profile_texts
+from ...rules.rule_set import extended, shipped
+from ...settings import BlendChoices, Settings
+from ...settings import settings_of as settings_from
+from ...settings.declare import rows
+from ...speech.engines.registry import is_voice_file
+from ..wire.choices import chosen_rows, on_wire
+from ..wire.shared import Choices
 from .session_files import kept_table
-from .wire.choices import chosen_rows, on_wire
-from .wire.shared import Choices
 
 LARGEST_PROFILE = 100_000
 

@@ -5,15 +5,15 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from ..core.score import BlendSettings
-from ..errors import InputError, Place
-from ..ports.readable import ScoreFile
-from ..ports.score.score_json import ScoreDocument
-from ..reading.json_text import JsonDocument, parse_json
-from ..reading.schema import placed
-from ..settings import BlendChoices
-from ..settings.declare import rows
-from .wire.shared import Choices
+from ...core.score import BlendSettings
+from ...errors import InputError, Place
+from ...ports.readable import ScoreFile
+from ...ports.score.score_json import ScoreDocument
+from ...reading.json_text import JsonDocument, parse_json
+from ...reading.schema import placed
+from ...settings import BlendChoices
+from ...settings.declare import rows
+from ..wire.shared import Choices
 
 
 def parsed(data: bytes | str, name: str) -> JsonDocument:

@@ -11,13 +11,13 @@ from risorius.core.edits import Add, Delete, Keys, Move
 from risorius.core.progress import quiet
 from risorius.errors import InputError, RisoriusError
 from risorius.ports.score.score_json import score_to_json
-from risorius.studio import describe, looking, performer
 from risorius.studio.rules_fired import RulesFired, rules_fired
-from risorius.studio.session import Session
+from risorius.studio.session import describe, looking, performer
+from risorius.studio.session.session import Session
 from risorius.studio.wire import answers, requests, shared
 
-from .conftest import LINE
-from .sessions import edit, perform, state
+from ..conftest import LINE
+from ..sessions import edit, perform, state
 
 
 @pytest.fixture

@@ -16,12 +16,12 @@ from risorius.core.progress import quiet
 from risorius.errors import RisoriusError
 from risorius.studio.autosave import FILE, Autosave
 from risorius.studio.project import open_project, project_file
-from risorius.studio.session import Session
-from risorius.studio.session_files import SessionFiles
+from risorius.studio.session.session import Session
+from risorius.studio.session.session_files import SessionFiles
 from risorius.studio.wire import requests, shared
 from risorius.studio.wire.views import PageView
 
-from .sessions import edit, perform, state
+from ..sessions import edit, perform, state
 
 
 def test_a_project_opens_exactly_elsewhere(session, tmp_path):

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from risorius.errors import InputError
-from risorius.studio.stage_cache import StageCache
+from risorius.studio.session.stage_cache import StageCache
 
 
 def test_a_stage_that_fails_leaves_nothing() -> None:

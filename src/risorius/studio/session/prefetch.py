@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..take import Take
-from . import limits
+from ...take import Take
+from .. import limits
+from ..wire.shared import Source, TakeInputs
 from .version import Version
-from .wire.shared import Source, TakeInputs
 
 
 @dataclass(frozen=True, slots=True)

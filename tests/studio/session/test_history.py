@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.errors import InputError
-from risorius.studio.history import History
+from risorius.studio.session.history import History
 
 MOST = 5
 steps = st.lists(st.one_of(st.integers(), st.sampled_from(["undo", "redo"])), max_size=30)

@@ -11,11 +11,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import cast
 
-from ..core.edits import Add, ClearKeys, Delete, Edit, Keys, Move, Stretch
-from ..core.movement import Movement
-from ..errors import RisoriusError
+from ...core.edits import Add, ClearKeys, Delete, Edit, Keys, Move, Stretch
+from ...core.movement import Movement
+from ...errors import RisoriusError
+from ..wire.marks import Marker
 from .version import LostEdit, Version, worded
-from .wire.marks import Marker
 from .word_times import Fit, WordTimes
 
 NEAR = 0.25

@@ -8,11 +8,11 @@ from risorius.core.edits import Add, Delete, Keys, Move, Retarget, Stretch
 from risorius.core.progress import quiet
 from risorius.errors import RisoriusError
 from risorius.studio.autosave import Autosave
-from risorius.studio.session import Session
+from risorius.studio.session.session import Session
+from risorius.studio.session.word_times import Fit, WordTimes
 from risorius.studio.wire import requests, shared
-from risorius.studio.word_times import Fit, WordTimes
 
-from .sessions import edit, perform, state
+from ..sessions import edit, perform, state
 
 LINE = "Oh really? I like it very much."
 

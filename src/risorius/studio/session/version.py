@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from ..core.edits import Add, ClearKeys, Edit, Keys, edited, named
-from ..core.movement import Movement
-from ..core.score import Score
-from ..core.utterance import Utterance
-from ..settings import Settings
-from .wire.marks import LaneStates, Marker
-from .wire.shared import TakeInputs
+from ...core.edits import Add, ClearKeys, Edit, Keys, edited, named
+from ...core.movement import Movement
+from ...core.score import Score
+from ...core.utterance import Utterance
+from ...settings import Settings
+from ..wire.marks import LaneStates, Marker
+from ..wire.shared import TakeInputs
 
 
 @dataclass(frozen=True, slots=True)

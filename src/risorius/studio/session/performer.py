@@ -6,29 +6,29 @@ import time
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ..core.edits import identified
-from ..core.progress import Progress
-from ..core.utterance import Utterance
-from ..errors import InputError, warnings_to
-from ..pipeline import compose, speak
-from ..ports.readable import ScoreFile
-from ..rules.emotions import Display, Displays
-from ..rules.rule_set import emotions_of
-from ..script import Script, parse_script
-from ..settings import Settings
-from ..settings.declare import Stage
-from ..speech import LabelledRecording, Recording, hear
-from ..speech.recordings.recording import read_recording
-from ..speech.structure.edges_moved import EdgeShift, with_edges
-from ..take import with_profile
-from ..unused_settings import values_read
-from . import limits
+from ...core.edits import identified
+from ...core.progress import Progress
+from ...core.utterance import Utterance
+from ...errors import InputError, warnings_to
+from ...pipeline import compose, speak
+from ...ports.readable import ScoreFile
+from ...rules.emotions import Display, Displays
+from ...rules.rule_set import emotions_of
+from ...script import Script, parse_script
+from ...settings import Settings
+from ...settings.declare import Stage
+from ...speech import LabelledRecording, Recording, hear
+from ...speech.recordings.recording import read_recording
+from ...speech.structure.edges_moved import EdgeShift, with_edges
+from ...take import with_profile
+from ...unused_settings import values_read
+from .. import limits
+from ..wire.shared import EmotionSpan, Source, TakeInputs
 from .choices import blend_of, settings_of
 from .scores import adopted, parsed, read_score
 from .session_files import SessionFiles
 from .stage_cache import StageCache
 from .version import Version
-from .wire.shared import EmotionSpan, Source, TakeInputs
 
 _MOST_VOICES = 8
 

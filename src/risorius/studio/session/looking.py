@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ..blend import Contribution, Explanation, Trace
-from ..blend.narrate import narrate
-from ..core.action_units import resolve_targets
-from ..core.parameters import INDEX, PARAMETERS
-from ..core.progress import Progress
-from ..rules.tuned import tuned_text
-from ..take import Take
+from ...blend import Contribution, Explanation, Trace
+from ...blend.narrate import narrate
+from ...core.action_units import resolve_targets
+from ...core.parameters import INDEX, PARAMETERS
+from ...core.progress import Progress
+from ...rules.tuned import tuned_text
+from ...take import Take
+from ..wire import answers, requests
 from .describe import packed
 from .session import Session
-from .wire import answers, requests
 
 
 def explain(session: Session, request: requests.Explain, progress: Progress) -> answers.Explanations:

@@ -14,14 +14,14 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TypeVar
 
-from ..core.action_units import resolve_targets
-from ..errors import InputError, RisoriusError, unknown
-from ..machine.atomic import replacing
-from ..reading.json_text import load_json
-from ..rules.emotions import emotion, emotion_key, emotion_names, emotion_text
-from ..script.read import RECORDING_SUFFIXES
-from ..speech.recordings.recording import read_recording
-from .uploads import BEGINNING
+from ...core.action_units import resolve_targets
+from ...errors import InputError, RisoriusError, unknown
+from ...machine.atomic import replacing
+from ...reading.json_text import load_json
+from ...rules.emotions import emotion, emotion_key, emotion_names, emotion_text
+from ...script.read import RECORDING_SUFFIXES
+from ...speech.recordings.recording import read_recording
+from ..uploads import BEGINNING
 
 T = TypeVar("T")
 _NAME = re.compile(r"[\w][\w -]{0,59}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Generic, TypeVar
 
-from ..errors import InputError
+from ...errors import InputError
 
 T = TypeVar("T")
 

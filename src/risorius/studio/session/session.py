@@ -11,22 +11,23 @@ from time import perf_counter
 
 import numpy as np
 
-from ..core.edits import Edit
-from ..core.performance import frame_count
-from ..core.progress import Progress, quiet
-from ..errors import InputError, RisoriusError
-from ..pipeline import combine
-from ..speech.structure.edges_moved import edge_of
-from ..take import Take
-from . import describe, limits
+from ...core.edits import Edit
+from ...core.performance import frame_count
+from ...core.progress import Progress, quiet
+from ...errors import InputError, RisoriusError
+from ...pipeline import combine
+from ...speech.structure.edges_moved import edge_of
+from ...take import Take
+from .. import limits
+from ..wire import answers, requests, shared, takes
+from ..wire.views import PageView
+from . import describe
 from .edits_carried import brought_back, carried
 from .history import History
 from .performer import Performer
 from .prefetch import Prefetch, worth_it
 from .session_files import SessionFiles
 from .version import LostEdit, Version, lanes_worded, worded
-from .wire import answers, requests, shared, takes
-from .wire.views import PageView
 
 # Seconds after a change for which the skin still moves otherwise: 9 times as long as it takes to forget.
 SETTLING = 0.5

@@ -9,7 +9,7 @@ from risorius.rules.profiles import profile_of
 from risorius.rules.rule_set import rule_set_of
 from risorius.rules.tuned import tuned_text
 from risorius.settings import Settings
-from risorius.studio.choices import settings_of
+from risorius.studio.session.choices import settings_of
 from risorius.studio.wire.shared import Choices
 
 WRONG = [
