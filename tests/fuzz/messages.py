@@ -31,11 +31,11 @@ from risorius.live.services import AzureVoice, CartesiaVoice, ElevenLabsVoice
 from risorius.live.session import Live
 from risorius.settings import Settings
 from risorius.settings.presets import load_settings
-from risorius.studio import session_list
 from risorius.studio.app import looks_of
-from risorius.studio.autosave import DRAFT, FILE, Autosave
 from risorius.studio.decoding import decode
-from risorius.studio.project import VERSION, open_project
+from risorius.studio.project import session_list
+from risorius.studio.project.autosave import DRAFT, FILE, Autosave
+from risorius.studio.project.project import VERSION, open_project
 from risorius.studio.request_table import ROWS
 from risorius.studio.session.session import Session
 from risorius.studio.session.session_files import SessionFiles

@@ -64,8 +64,8 @@ PARSERS = {
     "speech/engines/program": ".answer",
     "speech/recordings/film_worker": ".m4a .mp4 .mov .webm .mkv .aac",
     "speech/recordings/recording": ".wav .flac .ogg .mp3",
-    "studio/project": ".project.json",
-    "studio/session_list": ".saved.json",
+    "studio/project/project": ".project.json",
+    "studio/project/session_list": ".saved.json",
     "reading/json_object": ".message .page",
 }
 """Modules that parse what others wrote, and the kinds with which they are fuzzed."""
@@ -84,7 +84,7 @@ OURS = {
     "speech/engines/espeak": "answers of our worker",
     "speech/engines/piper": "sound of a program that the user names",
     "speech/recordings/film_sound": "answers of our decoder",
-    "studio/exports": "writes",
+    "studio/project/exports": "writes",
 }
 """Modules that parse what only Risorius wrote, or what is trusted."""
 _PARSES = re.compile(

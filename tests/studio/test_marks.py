@@ -10,9 +10,9 @@ from risorius.core.edits import Add, Keys, Move
 from risorius.core.key_shapes import KeyShape
 from risorius.core.progress import quiet
 from risorius.errors import RisoriusError
-from risorius.studio.autosave import Autosave
 from risorius.studio.decoding import decode
-from risorius.studio.project import open_project, project_file
+from risorius.studio.project.autosave import Autosave
+from risorius.studio.project.project import open_project, project_file
 from risorius.studio.session.session import Session
 from risorius.studio.wire import requests
 from risorius.studio.wire.marks import Marker

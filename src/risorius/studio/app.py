@@ -29,11 +29,12 @@ from ..live.serve.server import LiveServer, ServeOptions
 from ..ports.page.head_glb import head_glb
 from ..ports.page.head_shade import shade
 from ..ports.page.skin_formulas import skin_tables
-from . import limits, session_list
+from . import limits
 from .catalogue import catalogue_json
 from .connection import Connection
-from .exports import ARCHIVE
-from .session_list import NAME
+from .project import session_list
+from .project.exports import ARCHIVE
+from .project.session_list import NAME
 from .shared_session import SharedSession
 from .solvers import Solvers, stage_of
 from .uploads import TooLargeError, sweep, to_file, to_memory

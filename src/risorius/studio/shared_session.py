@@ -11,10 +11,10 @@ from typing import Any, Protocol, TypeVar
 from ..core.edits import Edit
 from ..errors import OutputError, RisoriusError
 from ..take import Take
-from . import exports
-from .autosave import Autosave
-from .exports import Exports
-from .project import open_project, project_file
+from .project import exports
+from .project.autosave import Autosave
+from .project.exports import Exports
+from .project.project import open_project, project_file
 from .session.session import Session
 from .wire import answers, events, requests, takes
 

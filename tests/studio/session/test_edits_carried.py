@@ -7,7 +7,7 @@ import pytest
 from risorius.core.edits import Add, Delete, Keys, Move, Retarget, Stretch
 from risorius.core.progress import quiet
 from risorius.errors import RisoriusError
-from risorius.studio.autosave import Autosave
+from risorius.studio.project.autosave import Autosave
 from risorius.studio.session.session import Session
 from risorius.studio.session.word_times import Fit, WordTimes
 from risorius.studio.wire import requests, shared

@@ -14,8 +14,8 @@ import soundfile
 from risorius.core.edits import Add, Keys
 from risorius.core.progress import quiet
 from risorius.errors import RisoriusError
-from risorius.studio.autosave import FILE, Autosave
-from risorius.studio.project import open_project, project_file
+from risorius.studio.project.autosave import FILE, Autosave
+from risorius.studio.project.project import open_project, project_file
 from risorius.studio.session.session import Session
 from risorius.studio.session.session_files import SessionFiles
 from risorius.studio.wire import requests, shared

@@ -8,22 +8,22 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from ..core.audio import AudioWriter
-from ..errors import RisoriusError
-from ..machine.atomic import replacing
-from ..ports.layout import write_json
-from ..ports.readable import ScoreFile
-from ..ports.score.score_json import score_to_json
-from ..reading.schema import MisfitError
+from ...core.audio import AudioWriter
+from ...errors import RisoriusError
+from ...machine.atomic import replacing
+from ...ports.layout import write_json
+from ...ports.readable import ScoreFile
+from ...ports.score.score_json import score_to_json
+from ...reading.schema import MisfitError
+from ..session.scores import parsed, read_score
+from ..session.session import Session
+from ..session.session_files import SessionFiles, digest, write_text
+from ..session.version import Version
+from ..wire.marks import LaneStates, Markers
+from ..wire.messages import encoded, read_message
+from ..wire.shared import TakeInputs
+from ..wire.views import PageView
 from .project import Opened, ProjectVersion, SavedEdits, SavedLost, SavedMade, header, version_of
-from .session.scores import parsed, read_score
-from .session.session import Session
-from .session.session_files import SessionFiles, digest, write_text
-from .session.version import Version
-from .wire.marks import LaneStates, Markers
-from .wire.messages import encoded, read_message
-from .wire.shared import TakeInputs
-from .wire.views import PageView
 
 FILE = "project.json"
 DRAFT = "draft.json"

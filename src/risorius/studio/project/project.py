@@ -18,24 +18,24 @@ from typing import Annotated, Any, Protocol
 import numpy as np
 import soundfile
 
-from ..core.audio import Audio, AudioWriter
-from ..core.edits import Add, Edit, Keys
-from ..core.utterance import Utterance
-from ..errors import InputError
-from ..ports.readable import ScoreFile
-from ..ports.score.score_json import ScoreDocument, score_to_json
-from ..reading.hints import Then
-from ..reading.schema import placed, within
-from ..take import with_profile
-from .session.choices import settings_of
-from .session.scores import parsed, score_file
-from .session.session import Session
-from .session.session_files import SessionFiles
-from .session.version import LostEdit, Version
-from .wire import requests, shared
-from .wire.marks import LaneStates, Marker, Markers
-from .wire.messages import encoded, read_message
-from .wire.views import PageView
+from ...core.audio import Audio, AudioWriter
+from ...core.edits import Add, Edit, Keys
+from ...core.utterance import Utterance
+from ...errors import InputError
+from ...ports.readable import ScoreFile
+from ...ports.score.score_json import ScoreDocument, score_to_json
+from ...reading.hints import Then
+from ...reading.schema import placed, within
+from ...take import with_profile
+from ..session.choices import settings_of
+from ..session.scores import parsed, score_file
+from ..session.session import Session
+from ..session.session_files import SessionFiles
+from ..session.version import LostEdit, Version
+from ..wire import requests, shared
+from ..wire.marks import LaneStates, Marker, Markers
+from ..wire.messages import encoded, read_message
+from ..wire.views import PageView
 
 VERSION = 1
 _PLACE = "project"

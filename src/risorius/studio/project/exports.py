@@ -9,18 +9,18 @@ import zipfile
 from collections import OrderedDict
 from pathlib import Path
 
-from ..core.look import TRANSPARENT, parse_colour
-from ..core.progress import Progress
-from ..errors import InputError
-from ..machine.atomic import replacing
-from ..ports.formats import FORMATS
-from ..ports.targets import check_targets
-from ..settings import Settings, settings_of
-from ..take import Take
-from . import limits
-from .stopping import stoppable
-from .wire import requests
-from .wire.choices import exported_rows
+from ...core.look import TRANSPARENT, parse_colour
+from ...core.progress import Progress
+from ...errors import InputError
+from ...machine.atomic import replacing
+from ...ports.formats import FORMATS
+from ...ports.targets import check_targets
+from ...settings import Settings, settings_of
+from ...take import Take
+from .. import limits
+from ..stopping import stoppable
+from ..wire import requests
+from ..wire.choices import exported_rows
 
 _NAME = re.compile(r"[^\w -]+")
 _MOST_JOBS = 20

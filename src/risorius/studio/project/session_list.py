@@ -10,10 +10,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..errors import InputError
+from ...errors import InputError
+from ..session.session_files import write_text
+from ..uploads import BEGINNING
 from .autosave import DRAFT, FILE
-from .session.session_files import write_text
-from .uploads import BEGINNING
 
 NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,39}")
 """Names that a session may have in the address."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 
-from .conftest import fetched
+from ..conftest import fetched
 
 
 def listed(server):

@@ -1,0 +1,1 @@
+"""Sessions as files: projects, saving, the list of sessions, and exports."""
