@@ -12,7 +12,7 @@ from risorius.live import weights
 from risorius.settings import Settings, settings_of
 from risorius.settings.declare import Stage, rows
 from risorius.solvers import SolverCache, solver_key
-from risorius.studio.solvers import Solvers
+from risorius.studio.faces.solvers import Solvers
 from risorius.take import HeadCache
 
 from .setting_cases import BASE, CASES

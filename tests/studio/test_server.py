@@ -13,9 +13,10 @@ from websockets.exceptions import InvalidStatus
 
 from risorius import solvers
 from risorius.errors import OutputError
-from risorius.studio import limits, streaming
+from risorius.studio import limits
+from risorius.studio.faces import streaming
+from risorius.studio.faces.solvers import stage_of
 from risorius.studio.server import serve
-from risorius.studio.solvers import stage_of
 
 from .conftest import LINE, fetched, header, serving
 

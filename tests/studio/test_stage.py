@@ -20,7 +20,7 @@ from risorius.ports.page.face_packer import FRAMES, PARTS, POSE, STEP
 from risorius.ports.page.head_folds import SLOTS, HeadFolds
 from risorius.ports.page.head_glb import head_glb
 from risorius.ports.page.head_shade import HEM_STEPS, light, shade
-from risorius.studio.solvers import stage_of
+from risorius.studio.faces.solvers import stage_of
 
 
 @pytest.fixture(scope="module")

@@ -32,11 +32,11 @@ from ..ports.page.skin_formulas import skin_tables
 from . import limits
 from .catalogue import catalogue_json
 from .connection import Connection
+from .faces.solvers import Solvers, stage_of
 from .project import session_list
 from .project.exports import ARCHIVE
 from .project.session_list import NAME
 from .shared_session import SharedSession
-from .solvers import Solvers, stage_of
 from .uploads import TooLargeError, sweep, to_file, to_memory
 from .wire.messages import encoded
 

@@ -13,10 +13,10 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from ..errors import RisoriusError
 from . import limits
 from .decoding import BadRequestError, decode
+from .faces.solvers import Solvers
 from .page_requests import PageRequests
 from .request_table import ROWS
 from .shared_session import SharedSession
-from .solvers import Solvers
 from .stopping import stoppable
 from .wire import events
 from .wire.messages import answer, event, refusal

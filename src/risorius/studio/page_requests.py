@@ -8,10 +8,10 @@ from concurrent.futures import Executor
 from contextlib import contextmanager
 
 from ..core.edits import Edit
-from .pose_preview import PosePreview
+from .faces.pose_preview import PosePreview
+from .faces.solvers import Solvers
+from .faces.streaming import Send, Streams
 from .shared_session import SharedSession
-from .solvers import Solvers
-from .streaming import Send, Streams
 from .wire import answers, requests, takes
 
 

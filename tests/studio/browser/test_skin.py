@@ -16,7 +16,7 @@ from risorius.ports.page.face_packer import DIALLED
 from risorius.render.camera import Camera
 from risorius.render.software_renderer import SoftwareRenderer
 from risorius.rules.poses import pose_values
-from risorius.studio.solvers import stage_of
+from risorius.studio.faces.solvers import stage_of
 
 from .driving import Page
 

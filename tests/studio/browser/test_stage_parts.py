@@ -9,7 +9,7 @@ from risorius.face.solve import FaceSolver
 from risorius.render.aperture import lip_edges
 from risorius.render.materials.mouth import LIP_STEPS
 from risorius.rules.poses import pose_values
-from risorius.studio.solvers import stage_of
+from risorius.studio.faces.solvers import stage_of
 
 from .driving import Page
 

@@ -9,18 +9,18 @@ from contextlib import ExitStack
 
 import numpy as np
 
-from ..core.arrays import Array
-from ..core.parameters import NAMES
-from ..errors import InputError, unknown
-from ..face.head.head import shipped_heads
-from ..ports.page.face_packer import DIALLED
-from ..settings import Settings
+from ...core.arrays import Array
+from ...core.parameters import NAMES
+from ...errors import InputError, unknown
+from ...face.head.head import shipped_heads
+from ...ports.page.face_packer import DIALLED
+from ...settings import Settings
+from ..session.session_files import SessionFiles
+from ..threads import on_thread
+from ..wire import answers, requests
 from .dials import SETTLED, DialledFace, dialled
-from .session.session_files import SessionFiles
 from .solvers import Solvers, stage_of
 from .streaming import Send
-from .threads import on_thread
-from .wire import answers, requests
 
 RATE = 30.0  # faces a second while the skin moves
 SOONEST = 1.0 / 60.0  # seconds between two faces at least, if a dial was turned

@@ -7,10 +7,10 @@ import selectors
 from concurrent.futures import Executor, Future
 from types import SimpleNamespace
 
-from risorius.studio import pose_preview
-from risorius.studio.pose_preview import PosePreview
+from risorius.studio.faces import pose_preview
+from risorius.studio.faces.pose_preview import PosePreview
+from risorius.studio.faces.solvers import Solvers
 from risorius.studio.session.session_files import SessionFiles
-from risorius.studio.solvers import Solvers
 from risorius.studio.wire import requests
 
 

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.arrays import Array
-from ..core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
-from ..face.frame import FaceFrame
-from ..face.skin.springs import RATE, Springs
-from ..face.solve import FaceSolver
-from ..rules.poses import pose_values
+from ...core.arrays import Array
+from ...core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
+from ...face.frame import FaceFrame
+from ...face.skin.springs import RATE, Springs
+from ...face.solve import FaceSolver
+from ...rules.poses import pose_values
 
 # Seconds after which the skin lies still, and the most that it moves on between two faces.
 SETTLED, LONGEST = 0.6, 0.1

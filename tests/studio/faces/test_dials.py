@@ -10,7 +10,7 @@ from risorius.core.parameters import INDEX, NAMES, NEUTRAL
 from risorius.errors import ParameterError
 from risorius.face.head.head import load_head
 from risorius.face.solve import FaceSolver
-from risorius.studio.dials import DialledFace, dialled
+from risorius.studio.faces.dials import DialledFace, dialled
 
 
 @pytest.fixture(scope="module")

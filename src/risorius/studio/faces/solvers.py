@@ -7,14 +7,14 @@ from concurrent.futures import Executor
 from contextlib import asynccontextmanager
 from functools import lru_cache
 
-from ..core.parameters import NEUTRAL
-from ..face.head.head import head_of
-from ..face.solve import FaceSolver
-from ..looks.apply_look import apply_look
-from ..ports.page.face_packer import FacePacker
-from ..settings import Look, Settings
-from ..solvers import SolverCache
-from .threads import on_thread
+from ...core.parameters import NEUTRAL
+from ...face.head.head import head_of
+from ...face.solve import FaceSolver
+from ...looks.apply_look import apply_look
+from ...ports.page.face_packer import FacePacker
+from ...settings import Look, Settings
+from ...solvers import SolverCache
+from ..threads import on_thread
 
 _MOST_IDLE = 4
 

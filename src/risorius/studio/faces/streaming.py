@@ -6,15 +6,15 @@ import asyncio
 from collections.abc import Awaitable, Callable, Iterator
 from concurrent.futures import Executor
 
-from ..face.frame import FaceFrame
-from ..face.solve import FaceSolver
-from ..ports.page.face_packer import FRAMES, MOMENT, FacePacker
-from ..settings import Settings
-from ..take import Take
-from .session.session import SessionTake
+from ...face.frame import FaceFrame
+from ...face.solve import FaceSolver
+from ...ports.page.face_packer import FRAMES, MOMENT, FacePacker
+from ...settings import Settings
+from ...take import Take
+from ..session.session import SessionTake
+from ..threads import on_thread
+from ..wire import answers, requests
 from .solvers import Solvers, stage_of
-from .threads import on_thread
-from .wire import answers, requests
 
 Send = Callable[[bytes], Awaitable[None]]
 CHUNK = 4  # faces to a message
