@@ -29,7 +29,7 @@ from risorius.speech.alignment.edges import CLASSES, FEATURES, FILE, REACH, cand
 from risorius.speech.alignment.lexicon import read_transcript
 from risorius.speech.alignment.spectra import STEP_SECONDS, band_levels
 from risorius.speech.recordings.recording import read_recording
-from risorius.speech.recordings.resampled import Resampled
+from risorius.speech.resampled import Resampled
 
 DATA = Path("src/risorius/speech/alignment/data")
 NUMBERS = {phone: CLASSES.index(sound) for phone, sound in inventory().sound_classes().items()}

@@ -17,7 +17,7 @@ from risorius.errors import SpeechError
 from risorius.machine.workers import Worker
 from risorius.speech.alignment import align, decoder
 from risorius.speech.alignment.lexicon import read_transcript
-from risorius.speech.recordings.resampled import Resampled
+from risorius.speech.resampled import Resampled
 
 
 def failing(monkeypatch: pytest.MonkeyPatch, times: int) -> list[int]:

@@ -14,7 +14,7 @@ from risorius.speech.alignment.aligner import refined
 from risorius.speech.alignment.decoder import AlignedPhone
 from risorius.speech.alignment.glottal import glottal_starts
 from risorius.speech.alignment.spectra import band_levels
-from risorius.speech.recordings.resampled import RATE, Resampled
+from risorius.speech.resampled import RATE, Resampled
 
 EDGE = 0.3
 T = np.arange(round(0.6 * RATE)) / RATE

@@ -9,7 +9,7 @@ from risorius.core.arrays import Array
 from risorius.speech.alignment.decoder import AlignedPhone
 from risorius.speech.alignment.hiss_ends import hiss_ends
 from risorius.speech.alignment.spectra import band_levels
-from risorius.speech.recordings.resampled import RATE
+from risorius.speech.resampled import RATE
 
 EDGE = 0.3
 T = np.arange(round(0.6 * RATE)) / RATE

@@ -8,7 +8,7 @@ import pytest
 from risorius.speech.alignment.decoder import AlignedPhone
 from risorius.speech.alignment.spectra import band_levels
 from risorius.speech.alignment.voice_ends import shared_sounds, voice_ends
-from risorius.speech.recordings.resampled import RATE
+from risorius.speech.resampled import RATE
 
 STOPS, DECODED = 0.4, 0.5
 T = np.arange(round(0.8 * RATE)) / RATE

@@ -9,7 +9,7 @@ from risorius.core.audio import AudioWriter
 from risorius.speech.prosody.contour import contour_of
 from risorius.speech.prosody.pitch import Pitch, measure_pitch
 from risorius.speech.prosody.running import unknown_speaker
-from risorius.speech.recordings.resampled import Resampled
+from risorius.speech.resampled import Resampled
 
 RATE = 16_000
 T = np.arange(2 * RATE) / RATE

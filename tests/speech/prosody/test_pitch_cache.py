@@ -10,7 +10,7 @@ from risorius.speech.prosody import pitch_cache
 from risorius.speech.prosody.pitch import measure_pitch
 from risorius.speech.prosody.pitch_cache import PitchCache
 from risorius.speech.prosody.running import RunningRange, known_voice, unknown_speaker
-from risorius.speech.recordings.resampled import Resampled
+from risorius.speech.resampled import Resampled
 
 RATE = 16_000
 T = np.arange(2 * RATE) / RATE

@@ -11,7 +11,7 @@ from risorius.core.audio import AudioWriter
 from risorius.core.utterance import Utterance
 from risorius.errors import InputError
 from risorius.speech.recordings.recognition import LATEST, recognize, stretches
-from risorius.speech.recordings.resampled import Resampled
+from risorius.speech.resampled import Resampled
 
 RATE = 16_000
 

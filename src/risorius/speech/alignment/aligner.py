@@ -16,7 +16,7 @@ from ...core.progress import Progress, quiet
 from ...core.utterance import SILENCE, Phone, Utterance, Word
 from ...errors import InputError
 from ...languages import phonesets
-from ..recordings.resampled import Resampled
+from ..resampled import Resampled
 from ..structure.build import build_utterance
 from .decoder import MODEL_LANGUAGE, AlignedPhone, AlignmentError, Decoders, Readings, with_decoders
 from .doubt import check_words, mean_score

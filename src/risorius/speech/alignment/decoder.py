@@ -20,7 +20,7 @@ from ...core.arrays import Array
 from ...core.utterance import SILENCE
 from ...errors import SpeechError
 from ...machine.workers import Worker, WorkerError
-from ..recordings.resampled import RATE
+from ..resampled import RATE
 
 # The language of the model, and of its dictionary.
 MODEL_LANGUAGE = "en-us"

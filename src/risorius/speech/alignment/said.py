@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...core.audio import Audio
-from ..recordings.resampled import Resampled
+from ..resampled import Resampled
 from .decoder import with_decoders
 from .lexicon import read_transcript
 

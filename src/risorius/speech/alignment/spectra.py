@@ -7,7 +7,7 @@ import functools
 import numpy as np
 
 from ...core.arrays import Array, Int64Array
-from ..recordings.resampled import RATE
+from ..resampled import RATE
 
 # Samples at 16 kHz: 2.5 ms steps, 8 ms windows.
 STEP, WINDOW = 40, 128

@@ -14,7 +14,7 @@ from ...core.audio import Audio
 from ...core.utterance import SILENCE
 from ...errors import InputError
 from ...script.quote import quoted
-from ..recordings.resampled import Resampled
+from ..resampled import Resampled
 from .aligner import Located, decoded, owned, refined, respaced
 from .decoder import AlignedPhone
 from .lexicon import ScriptWord, read_transcript

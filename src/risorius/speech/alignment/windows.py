@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from ..recordings.resampled import Resampled
+from ..resampled import Resampled
 from .decoder import Decoders, Readings
 
 # Seconds. Sound of at most the first length is one window.

@@ -10,7 +10,7 @@ import numpy as np
 from ...core.arrays import Array
 from ...core.utterance import Phone, Syllable, Utterance
 from ...languages import phonesets
-from ..recordings.resampled import LEVEL_STEP, Resampled
+from ..resampled import LEVEL_STEP, Resampled
 from .contour import Contour
 from .rules import prosody_rules
 from .running import RunningNormal, SpeakerStatistics

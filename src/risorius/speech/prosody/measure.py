@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from ...core.utterance import Accent, Boundary, Syllable, Utterance
-from ..recordings.resampled import Resampled
+from ..resampled import Resampled
 from ..structure.nuclei import with_nuclei
 from ..structure.phrases import with_phrases
 from .accents import find_accents

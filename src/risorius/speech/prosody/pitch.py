@@ -17,7 +17,7 @@ import numpy as np
 
 from ...core.arrays import Array, BoolArray, Int64Array
 from ..filters import low_pass
-from ..recordings.resampled import RATE, Resampled
+from ..resampled import RATE, Resampled
 from .running import RunningRange, unknown_speaker
 
 # Seconds between frames, and of each frame's window.

@@ -10,7 +10,7 @@ from threading import Lock
 import numpy as np
 
 from ...core.audio import Audio
-from ..recordings.resampled import Resampled
+from ..resampled import Resampled
 from .pitch import Pitch, measure_pitch
 from .running import RunningRange
 

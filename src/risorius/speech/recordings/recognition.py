@@ -24,7 +24,7 @@ from ..alignment.decoder import MIDDLE, MODEL_LANGUAGE, AlignedPhone, AlignmentE
 from ..alignment.doubt import OWN, mean_score
 from ..alignment.lexicon import ScriptWord, read_transcript, written_readings
 from ..alignment.silences import without_gaps
-from .resampled import LEVEL_STEP, RATE, Resampled
+from ..resampled import LEVEL_STEP, RATE, Resampled
 
 # A stretch ends in a pause (dB below loud speech, seconds), and is cut where it is quietest if none comes.
 PAUSE_BELOW, SHORTEST_PAUSE = 30.0, 0.3

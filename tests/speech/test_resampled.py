@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from risorius.core.audio import Audio, AudioWriter
-from risorius.speech.recordings.resampled import LEVEL_STEP, RATE, SPEECH_LEVEL, Resampled
+from risorius.speech.resampled import LEVEL_STEP, RATE, SPEECH_LEVEL, Resampled
 
 
 def recorded(samples: np.ndarray, rate: int) -> Audio:

@@ -8,9 +8,9 @@ from functools import cache, cached_property
 
 import numpy as np
 
-from ...core.arrays import Array, Float32Array, Int32Array
-from ...core.audio import Audio
-from ..filters import low_pass, with_rate
+from ..core.arrays import Array, Float32Array, Int32Array
+from ..core.audio import Audio
+from .filters import low_pass, with_rate
 
 RATE = 16_000
 # The level to which the loud frames of speech are brought, in units of 16-bit samples (root mean square).
