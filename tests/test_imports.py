@@ -160,6 +160,28 @@ def test_files_of_a_package_do_not_import_each_other_in_a_circle() -> None:
     assert not circles, "\n".join(circles)
 
 
+def _room(module: str, unit: str) -> str:
+    """Return the folder or the file, below its package, that a module stands in."""
+    below = module.split(".")[2:]
+    return below[0] if below else unit
+
+
+def test_rooms_of_a_package_do_not_import_each_other_in_a_circle() -> None:
+    circles = []
+    # A renderer is found in its folder by the protocol that it implements; limits of the mouth read channels,
+    # which read the lips.
+    for unit in sorted(set(MAY_IMPORT) - {"render", "blend"}):
+        rooms: dict[str, set[str]] = {}
+        for module in (m for m in _modules() if _unit(m) == unit):
+            others = {_room(n, unit) for n in _of_ours(module) if _unit(n) == unit}
+            rooms.setdefault(_room(module, unit), set()).update(others - {_room(module, unit)})
+        try:
+            TopologicalSorter(rooms).prepare()
+        except CycleError as circle:
+            circles.append(f"{unit}: {' → '.join(circle.args[1])}")
+    assert not circles, "\n".join(circles)
+
+
 def test_modules_are_imported_by_name_where_it_is_known_what_they_are() -> None:
     by_name = {
         path.relative_to(ROOT).as_posix()
