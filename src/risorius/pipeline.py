@@ -18,7 +18,7 @@ from .rules.profiles import attitude, profile_of
 from .rules.rule_set import emotions_of, rule_set_of
 from .script import Script
 from .settings import Settings
-from .speech import VOICE_SETTINGS, SpeechSource, SpokenBefore, feelings, hear, synthesize_script
+from .speech import VOICE_SETTINGS, SpeechSource, SynthesisCache, feelings, hear, synthesize_script
 from .take import Take, lip_rig, with_profile
 
 
@@ -27,7 +27,7 @@ def perform(
     emotions: Displays,
     settings: Settings,
     progress: Progress = quiet,
-    before: SpokenBefore | None = None,
+    before: SynthesisCache | None = None,
 ) -> Take:
     """Perform a script or a recording, showing `emotions` beside those that it marks.
 
@@ -44,7 +44,7 @@ def perform(
 
 
 def speak(
-    script: Script, emotions: Displays, settings: Settings, progress: Progress, before: SpokenBefore | None
+    script: Script, emotions: Displays, settings: Settings, progress: Progress, before: SynthesisCache | None
 ) -> Utterance | None:
     """Speak a script with a synthesized voice, coloured by emotions; None if it says nothing."""
     felt = feelings(script, emotions) if settings.voice_emotion else ()

@@ -17,7 +17,7 @@ from ..pipeline import perform
 from ..rules.emotions import Displays
 from ..script import read_script
 from ..settings import Settings
-from ..speech import SpokenBefore
+from ..speech import SynthesisCache
 from ..speech.engines.registry import is_voice_file, load_engine
 from ..speech.engines.voices import find_voice
 from ..take import Take
@@ -34,7 +34,7 @@ def perform_sentence(
     text: str,
     feelings: Displays,
     settings: Settings,
-    before: SpokenBefore | None = None,
+    before: SynthesisCache | None = None,
 ) -> Take:
     """Perform sentences as `speak` does.
 
@@ -106,7 +106,7 @@ class LocalPerformer:
     """
 
     def __init__(self, perform: PerformSentence = perform_sentence) -> None:
-        self._before = SpokenBefore()
+        self._before = SynthesisCache()
         self._is_plain = perform is perform_sentence
         self._perform = partial(perform_sentence, before=self._before) if self._is_plain else perform
 

@@ -4,8 +4,8 @@ from .affect import feelings
 from .engines.voices import voices
 from .from_recording import LabelledRecording, Recording, hear
 from .input import Input, SpeechSource, read, read_transcript
-from .spoken import SpokenBefore
 from .synthesis import VOICE_SETTINGS, synthesize_line, synthesize_script
+from .synthesis_cache import SynthesisCache
 
 __all__ = [
     "VOICE_SETTINGS",
@@ -13,7 +13,7 @@ __all__ = [
     "LabelledRecording",
     "Recording",
     "SpeechSource",
-    "SpokenBefore",
+    "SynthesisCache",
     "feelings",
     "hear",
     "read",

@@ -21,8 +21,8 @@ from .engines.registry import is_voice_file
 from .prosody.measure import pitched
 from .prosody.pitch import measure_pitch
 from .speaker import KnownRenditions, Speaker, find_speaker
-from .spoken import SpokenBefore
 from .structure.build import build_utterance
+from .synthesis_cache import SynthesisCache
 from .text.tokens import is_speakable
 
 VOICE_SETTINGS = ("voice", "language", "rate", "lead", "tail", "answers")
@@ -45,7 +45,7 @@ def synthesize_script(
     answers: str | None = None,
     felt: Sequence[Feeling] = (),
     progress: Progress = quiet,
-    before: SpokenBefore | None = None,
+    before: SynthesisCache | None = None,
 ) -> Utterance:
     """Speak a script. `lead` and `tail` seconds of silence surround it unless its times are absolute.
 

@@ -9,7 +9,7 @@ from .engines.protocol import Rendition, SpeechRequest
 from .prosody.pitch_cache import PitchCache
 
 
-class Renditions(OrderedDict[SpeechRequest, Rendition]):
+class RenditionCache(OrderedDict[SpeechRequest, Rendition]):
     """The latest `most` stretches that a voice has spoken, by request."""
 
     def __init__(self, most: int = 64) -> None:
@@ -23,8 +23,8 @@ class Renditions(OrderedDict[SpeechRequest, Rendition]):
 
 
 @dataclass(frozen=True, slots=True)
-class SpokenBefore:
+class SynthesisCache:
     """The sound and the pitch of one engine's speech; both are the same when it is spoken again."""
 
-    renditions: Renditions = field(default_factory=Renditions)
+    renditions: RenditionCache = field(default_factory=RenditionCache)
     pitch: PitchCache = field(default_factory=PitchCache)
