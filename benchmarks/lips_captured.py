@@ -22,7 +22,7 @@ from risorius import pipeline
 from risorius.core.arrays import Array
 from risorius.core.utterance import Phone, Utterance
 from risorius.settings import BlendChoices, Settings
-from risorius.speech import LabelledRecording, hear
+from risorius.speech import LabelledRecording, align_recording
 
 FPS, FINE = 100, 0.001
 MODELS = ("effort", "dominance", "lookahead")
@@ -53,7 +53,7 @@ def motion(path: Path) -> dict[str, Array]:
 def ours(utterance: Utterance, item: Path, model: str) -> tuple[Array, Array, Array]:
     """Return times, the gap between the inner lips and the jaw's drop in mm, (n,) each."""
     settings = Settings(fps=FPS, seed=1, blend=BlendChoices(lips=model))
-    script, _ = hear(LabelledRecording(str(item / "labels.TextGrid"), str(item / "audio.wav")))
+    script, _ = align_recording(LabelledRecording(str(item / "labels.TextGrid"), str(item / "audio.wav")))
     take = pipeline.combine(pipeline.compose(script, utterance, (), settings), settings, utterance)
     rows = np.array([take.measures(frame) for frame in take.faces(reuse=True)], dtype=np.float64)
     points = rows[:, -68 * 3 :].reshape(-1, 68, 3)
@@ -88,7 +88,7 @@ def in_time(phone: Phone, times: Array, theirs: Array, mine: Array) -> bool:
 def measure(item: Path, model: str) -> Row:
     """Return what a model reaches on an item."""
     theirs = motion(item / "motion.csv")
-    _, utterance = hear(LabelledRecording(str(item / "labels.TextGrid"), str(item / "audio.wav")))
+    _, utterance = align_recording(LabelledRecording(str(item / "labels.TextGrid"), str(item / "audio.wav")))
     spoken = [phone for phone in utterance.phones if phone.symbol]
     times, gap, jaw = ours(utterance, item, model)
     coils = "jaw_mm" in theirs

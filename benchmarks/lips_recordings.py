@@ -31,7 +31,7 @@ from risorius.core.lip_rig import gap_left
 from risorius.core.parameters import INDEX, NAMES
 from risorius.core.utterance import Utterance
 from risorius.face.fit.lip_file import load_lip_rig
-from risorius.speech import Recording, hear
+from risorius.speech import Recording, align_recording
 from risorius.speech.alignment import align
 from risorius.speech.recordings.recording import read_recording
 
@@ -153,7 +153,7 @@ def main() -> None:
             continue
         seconds = sentence.labels[-1].end - 1.0 / COARSE
         by_hand = gap_of_labels(sentence.labels, seconds)
-        _, recognized = hear(Recording(str(sentence.sound)))
+        _, recognized = align_recording(Recording(str(sentence.sound)))
         ways = lip_gap(recognized, COARSE, seconds), loudness(audio, seconds)
         alike.append(tuple(float(np.corrcoef(by_hand, way)[0, 1]) for way in ways))
     middle, start, end = np.array(closures).T

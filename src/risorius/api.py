@@ -23,7 +23,7 @@ from .rules.emotions import Display, Displays, parse_display
 from .rules.poses import posed
 from .rules.rule_set import emotions_of
 from .settings import BlendChoices, Settings
-from .speech import Input, Recording, hear, read, read_transcript
+from .speech import Input, Recording, align_recording, read, read_transcript
 from .speech.recordings.recording import read_recording
 from .take import Take
 from .unused_settings import CAPTURE, CHARACTER, PERFORMANCE, POSE, RECOGNIZED, SCORE, reject, reject_unused
@@ -94,7 +94,7 @@ def align(
     if transcript is None and language is not None:
         raise UnusedSettingError(["language"], RECOGNIZED, Place(str(audio)))
     words = read_transcript(_text_or_file(transcript))
-    _, utterance = hear(Recording(path_of(audio), words, language=language), progress)
+    _, utterance = align_recording(Recording(path_of(audio), words, language=language), progress)
     return combine(Score(utterance.duration, text=utterance.text), Settings(), utterance)
 
 

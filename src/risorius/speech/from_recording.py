@@ -51,7 +51,9 @@ class LabelledRecording:
     audio: str | PathLike[str] | None = None
 
 
-def hear(recording: Recording | LabelledRecording, progress: Progress = quiet) -> tuple[Script, Utterance]:
+def align_recording(
+    recording: Recording | LabelledRecording, progress: Progress = quiet
+) -> tuple[Script, Utterance]:
     """Return the script to be performed, and the timed utterance of a recording.
 
     Recognized words come with a warning (SpeechWarning). Raises InputError for what does not fit.

@@ -17,7 +17,7 @@ from ...rules.rule_set import emotions_of
 from ...script import Script, parse_script
 from ...settings import Settings
 from ...settings.declare import Stage
-from ...speech import LabelledRecording, Recording, hear
+from ...speech import LabelledRecording, Recording, align_recording
 from ...speech.recordings.recording import read_recording
 from ...speech.structure.edges_moved import EdgeShift, with_edges
 from ...take import with_profile
@@ -97,7 +97,7 @@ class Performer:
         if source.recording is not None or source.format == "TextGrid":
             language = settings.language
             recording = self._recording(source, language)
-            script, found = self._heard.get((source, language), lambda: hear(recording, progress))
+            script, found = self._heard.get((source, language), lambda: align_recording(recording, progress))
             if isinstance(recording, Recording) and recording.script is not None:
                 script = recording.script  # its marks show emotions as they are in force now
             heard = self._with_edges((source, language), found, edges)
