@@ -19,8 +19,8 @@ from ..settings import Settings
 from ..speech.alignment.aligner import Located, assembled, located
 from ..speech.alignment.decoder import MODEL_LANGUAGE, AlignedPhone
 from ..speech.alignment.lexicon import ScriptWord
-from ..speech.alignment.said import said_in
 from ..speech.alignment.silences import without_gaps
+from ..speech.alignment.text_progress import text_progress
 from ..speech.alignment.timed_words import locate_in_words, written
 from ..speech.prosody import measured
 from ..speech.prosody.measure import MeasurePitch
@@ -89,7 +89,7 @@ def _by_times(phrase: VoicedPhrase, audio: Audio, language: str) -> HeardPhrase:
 def _by_text(phrase: VoicedPhrase, audio: Audio, language: str) -> HeardPhrase:
     text, rest = written(phrase.words) or phrase.text, ""
     if phrase.is_open and not phrase.words and is_speakable(text):
-        end = said_in(audio, text, language)
+        end = text_progress(audio, text, language)
         text, rest = text[:end], text[end:]
     if not is_speakable(text):
         # All of it was said before: a breath.

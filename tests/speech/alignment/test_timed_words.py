@@ -9,7 +9,7 @@ from risorius.core.audio import AudioWriter, silence
 from risorius.core.utterance import SILENCE, Utterance
 from risorius.errors import InputError
 from risorius.speech.alignment.aligner import assembled
-from risorius.speech.alignment.said import said_in
+from risorius.speech.alignment.text_progress import text_progress
 from risorius.speech.alignment.timed_words import TimedWord, check_times, locate_in_words, written
 
 TEXT = "Well, that is a long story. She paid 3.50 for it."
@@ -74,9 +74,9 @@ def test_how_much_of_a_text_is_said_up_to_a_pause(spoken: Utterance) -> None:
     for pause in inner:
         with AudioWriter(rate) as writer:
             writer.append(spoken.audio.read(0, round(0.5 * (pause.start + pause.end) * rate)))
-            found.append(TEXT[: said_in(writer.finish(), TEXT)])
+            found.append(TEXT[: text_progress(writer.finish(), TEXT)])
     assert found == ["Well, ", "Well, that is a long story. "]
 
 
 def test_nothing_of_a_text_is_said_in_silence() -> None:
-    assert said_in(silence(1.0), TEXT) == 0
+    assert text_progress(silence(1.0), TEXT) == 0

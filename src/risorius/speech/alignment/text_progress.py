@@ -13,7 +13,7 @@ _MARKS = ".!?,;:\u2026\u2013\u2014\u3002\uff0c\uff01\uff1f\u3001"
 _FASTEST = 5.5
 
 
-def said_in(audio: Audio, text: str, language: str | None = None) -> int:
+def text_progress(audio: Audio, text: str, language: str | None = None) -> int:
     """Return how many characters of `text`, from its beginning, are said in `audio`, whole words.
 
     The sound ends in a pause: if the words before and after the one that seems to be the last have a mark
