@@ -19,7 +19,7 @@ from .outcome import Outcome
 from .places import is_remote, make_folder, read_bytes, upload
 
 if TYPE_CHECKING:
-    from ..speech.alignment.doubt import AlignmentDoubt
+    from ..speech.alignment.confidence import AlignmentConfidence
     from ..take import HeadCache, Take
 
 SHEET_SIZE, SHEET_FRAMES = (112, 112), 6
@@ -29,13 +29,13 @@ LONGEST_SHOWN = 240  # characters of a line's text
 def perform_line(job: BatchJob, run: str = "") -> Outcome:
     """Perform a line and write its files; an error goes into the outcome. `run` names temporary files."""
     from ..machine.atomic import temporaries_of
-    from ..speech.alignment.doubt import doubt_to
+    from ..speech.alignment.confidence import receive_confidence
 
     start = time.process_time()
     warnings: list[str] = []
-    doubts: list[AlignmentDoubt] = []
+    doubts: list[AlignmentConfidence] = []
     try:
-        with warnings_to(warnings.append), doubt_to(doubts.append), temporaries_of(run):
+        with warnings_to(warnings.append), receive_confidence(doubts.append), temporaries_of(run):
             take = _perform_and_write(job)
     except DiskFullError as error:
         return Outcome(error=str(error), stops=True)

@@ -11,7 +11,7 @@ from urllib.parse import quote
 
 from ..errors import Place
 from ..machine.atomic import replacing
-from ..speech.alignment.doubt import OWN
+from ..speech.alignment.confidence import OWN
 from .outcome import LineResult, LineState, Outcome
 from .places import is_remote
 from .report_page import PageLine, Totals, page

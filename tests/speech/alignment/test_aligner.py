@@ -14,8 +14,8 @@ from risorius.core.utterance import Utterance
 from risorius.errors import InputError, SpeechWarning
 from risorius.speech import synthesize_line
 from risorius.speech.alignment import align
+from risorius.speech.alignment.confidence import check_words
 from risorius.speech.alignment.decoder import AlignedPhone
-from risorius.speech.alignment.doubt import check_words
 from risorius.speech.alignment.lexicon import OwnPhone, read_transcript
 
 WRONG = "Some completely different words were never spoken here at all."

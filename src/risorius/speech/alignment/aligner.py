@@ -18,8 +18,8 @@ from ...errors import InputError
 from ...languages import phonesets
 from ..resampled import Resampled
 from ..structure.build import build_utterance
+from .confidence import check_words, mean_score
 from .decoder import MODEL_LANGUAGE, AlignedPhone, AlignmentError, Decoders, Readings, with_decoders
-from .doubt import check_words, mean_score
 from .edges import place_edges
 from .glottal import glottal_starts
 from .hiss_ends import hiss_ends

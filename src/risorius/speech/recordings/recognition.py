@@ -20,8 +20,8 @@ from ...core.utterance import SILENCE, Utterance, Word
 from ...errors import InputError
 from ...languages import phonesets
 from ..alignment.aligner import Located, assembled, moved, refined
+from ..alignment.confidence import OWN, mean_score
 from ..alignment.decoder import MIDDLE, MODEL_LANGUAGE, AlignedPhone, AlignmentError, Decoders, with_decoders
-from ..alignment.doubt import OWN, mean_score
 from ..alignment.lexicon import ScriptWord, read_transcript, written_readings
 from ..alignment.silences import without_gaps
 from ..resampled import LEVEL_STEP, RATE, Resampled

@@ -13,7 +13,7 @@ from .decoder import AlignedPhone
 from .lexicon import ScriptWord
 
 
-class DoubtLimits(NamedTuple):
+class ConfidenceLimits(NamedTuple):
     """Mean log likelihoods per 10 ms frame, in pocketsphinx's units: below `doubt` a word is doubtful, below
     `poor` it is poor. If more than WRONG_SHARE of the speech is poor or unmatched, the transcript is
     rejected as belonging to another recording.
@@ -26,11 +26,11 @@ class DoubtLimits(NamedTuple):
 # In 80 read sentences one word in a hundred was below -58, two below -40, and no sentence below -24; three in
 # four of the words put in by mistake were below -54, and every sentence with another's transcript was below
 # -49. Real silences were above -20.
-OWN = DoubtLimits(-50.0, -38.0)
+OWN = ConfidenceLimits(-50.0, -38.0)
 # Words of other languages, by the nearest phones, fit worse: in 12 sentences of six languages, in three
 # timbres of espeak-ng each, the median of the words was -27 to -46 and the least -105; with another's
 # transcript the median was -56 to -92. Human voices are not measured.
-FOREIGN = DoubtLimits(-110.0, -52.0)
+FOREIGN = ConfidenceLimits(-110.0, -52.0)
 WRONG_SHARE = 0.6
 # In a wrong transcript at least 45 words in 100 were in doubt, in the right one at most 17 (a third of
 # TIMIT's development sentences). A synthetic voice may be poor in most words, and in doubt in one.
@@ -41,7 +41,7 @@ _SHOWN = 8
 
 
 @dataclass(frozen=True, slots=True)
-class AlignmentDoubt:
+class AlignmentConfidence:
     """The misfit of a transcript to its recording: that of the `worst` word or silence, 0 and more (its mean
     log likelihood per 10 ms, negated, as of English; 50 and more is in doubt), and the `words` in doubt with
     their times.
@@ -51,11 +51,13 @@ class AlignmentDoubt:
     words: tuple[str, ...]
 
 
-_receiver: ContextVar[Callable[[AlignmentDoubt], None] | None] = ContextVar("receiver of doubt", default=None)
+_receiver: ContextVar[Callable[[AlignmentConfidence], None] | None] = ContextVar(
+    "receiver of doubt", default=None
+)
 
 
 @contextmanager
-def doubt_to(receive: Callable[[AlignmentDoubt], None]) -> Iterator[None]:
+def receive_confidence(receive: Callable[[AlignmentConfidence], None]) -> Iterator[None]:
     """Call `receive` with the doubt about each recording that is aligned in the block, in this thread."""
     token = _receiver.set(receive)
     try:
@@ -77,7 +79,7 @@ def check_words(words: Sequence[ScriptWord], aligned: Sequence[AlignedPhone]) ->
     if receive is not None:
         scores = [*map(mean_score, spans), *(f.score for f in missing)]
         worst = min(scores, default=0.0) * OWN.doubt / limits.doubt
-        receive(AlignmentDoubt(max(0.0, -worst), tuple(named)))
+        receive(AlignmentConfidence(max(0.0, -worst), tuple(named)))
     reasons = []
     if doubtful:
         reasons.append(
