@@ -36,7 +36,8 @@ levels = st.floats(0.05, 1.0)
 def targets(draw: st.DrawFn, directions: bool = True) -> dict[str, float]:
     names = draw(st.lists(st.sampled_from(MUSCLES), min_size=1, max_size=4, unique=True))
     chosen = {name: draw(levels) for name in names}
-    # Rivals of one movement sum to 1 at most; what happens to others is tested by itself (test_strata).
+    # Rivals of one movement sum to 1 at most; what happens to others is tested by itself
+    # (test_layer_priority).
     for one, other in combinations(names, 2):
         if other in RIVALS[one] and chosen[one] + chosen[other] > 1.0:
             chosen[one], chosen[other] = 0.5 * chosen[one], 0.5 * chosen[other]

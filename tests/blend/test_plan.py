@@ -12,8 +12,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from risorius import blend
+from risorius.blend.layer_priority import ONE_PRIORITY
 from risorius.blend.plan import CHUNK, Plan, PlanSample
-from risorius.blend.strata import ONE_PRIORITY
 from risorius.core.movement import Dominance, LipSegment, Movement
 from risorius.core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS, RIVALS
 from risorius.core.score import BlendSettings, Score
@@ -164,7 +164,7 @@ def test_values_stay_in_range(policy: str, data: st.DataObject) -> None:
 @given(data=st.data())
 def test_order_of_input_does_not_matter(policy: str, data: st.DataObject) -> None:
     score = data.draw(scores(policy))
-    # Of equals that start together the later in the score wins (test_strata).
+    # Of equals that start together the later in the score wins (test_layer_priority).
     assume(len({(m.channel, m.start) for m in score.movements}) == len(score.movements))
     shuffled = replace(
         score,

@@ -14,11 +14,11 @@ from ..core.score import Score
 from .concatenate import LayerCurves
 from .curve import Curve
 from .intervals import Spans, union
+from .layer_priority import layer_priorities
 from .layers import CompiledLayers
 from .levels import Levels, PriorityClaim, levels_of
 from .manual import Replaced, key_curves, replaced_spans
 from .mouth.lips import CompiledLips, LipCurve
-from .strata import strata_of
 
 
 @dataclass(slots=True)
@@ -84,16 +84,16 @@ def compile_channels(
     for name in CHANNELS:
         layers = compiled.of(name)
         levels = levels_of(_claims(name, layers.values(), lips), CHANNELS.get(name).priority)
-        strata = strata_of(layers, levels, compiled.order)
+        priorities = layer_priorities(layers, levels, compiled.order)
         parts: list[Channel] = []
         for on_top in (False, True):
-            together = [layer for key, layer in layers.items() if key[0] is on_top and key not in strata]
+            together = [layer for key, layer in layers.items() if key[0] is on_top and key not in priorities]
             curves, harmless = _layered(together), frozenset[str]()
             if name == "lips" and lips is not None and not on_top:
                 harmless = lips.harmless - set(curves)
                 curves = _joined({p: [LipCurve(lips, p)] for p in lips.parameters}, curves)
             parts.append(Channel(name, levels, curves, on_top, harmless=harmless))
-        parts += [Channel(name, own, _layered([layers[k]]), *k) for k, own in strata.items()]
+        parts += [Channel(name, own, _layered([layers[k]]), *k) for k, own in priorities.items()]
         for part in parts:
             curves = part.curves if name == "manual" else _under(replaced, part.curves)
             if name == "manual" and part.key == name:

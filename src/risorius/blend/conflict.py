@@ -17,8 +17,8 @@ from ..core.arrays import Array
 from ..core.parameters import RIVALS
 from ..core.registry import Registry
 from .channels import Channel
+from .layer_priority import ONE_PRIORITY
 from .mouth.limits import SpeechLimits
-from .strata import ONE_PRIORITY
 from .tuning import Tuning
 
 Resolver = Callable[[Channel, str, Array, Array], Array]

@@ -9,7 +9,7 @@ from ..core.movement import Movement
 from ..core.rivalry import rival_pairs, without_rivals
 from ..core.score import Score
 from .concatenate import LayerCurves, concatenate
-from .strata import LayerKey
+from .layer_priority import LayerKey
 
 
 class CompiledLayers:

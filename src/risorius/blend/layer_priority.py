@@ -25,7 +25,7 @@ LayerKey = tuple[bool, str]
 """Whether the layer adds on top of others, and its name."""
 
 
-def strata_of(
+def layer_priorities(
     layers: Mapping[LayerKey, LayerCurves], priority: Levels, order: Mapping[int, int]
 ) -> dict[LayerKey, Levels]:
     """Return the priority over time of each layer that conflicts with another of the channel.
