@@ -16,9 +16,9 @@ from .curve import Curve
 from .intervals import Spans, union
 from .layer_priority import layer_priorities
 from .layers import CompiledLayers
-from .levels import Levels, PriorityClaim, levels_of
 from .manual import Replaced, key_curves, replaced_spans
 from .mouth.lips import CompiledLips, LipCurve
+from .priority_curve import PriorityClaim, PriorityCurve, priority_curve
 
 
 @dataclass(slots=True)
@@ -31,7 +31,7 @@ class Channel:
     """
 
     name: str
-    levels: Levels
+    levels: PriorityCurve
     curves: dict[str, list[Curve]]
     on_top: bool = False
     stratum: str | None = None
@@ -83,7 +83,7 @@ def compile_channels(
     channels = []
     for name in CHANNELS:
         layers = compiled.of(name)
-        levels = levels_of(_claims(name, layers.values(), lips), CHANNELS.get(name).priority)
+        levels = priority_curve(_claims(name, layers.values(), lips), CHANNELS.get(name).priority)
         priorities = layer_priorities(layers, levels, compiled.order)
         parts: list[Channel] = []
         for on_top in (False, True):

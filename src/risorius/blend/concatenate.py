@@ -17,7 +17,7 @@ from ..core.functions import CORNERED, DEFAULT_FUNCTION
 from ..core.movement import Movement, fitted
 from ..core.parameters import NEUTRAL, PARAMETERS, Kind
 from .curve_pieces import FARTHEST, CurvePiece, CurvePieces, MovementCurve, last_time, speed_at, value_at
-from .levels import PriorityClaim
+from .priority_curve import PriorityClaim
 
 NEUTRALS: dict[str, float] = {p.name: float(n) for p, n in zip(PARAMETERS, NEUTRAL, strict=True)}
 SIGNED = frozenset(p.name for p in PARAMETERS if p.signed or p.neutral != 0.0)

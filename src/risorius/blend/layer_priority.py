@@ -14,7 +14,7 @@ import numpy as np
 
 from ..core.parameters import RIVALS
 from .concatenate import LayerCurves
-from .levels import Levels
+from .priority_curve import PriorityCurve
 
 STEP = 1e-6
 """The difference of priority between a stratum and the one above it."""
@@ -26,8 +26,8 @@ LayerKey = tuple[bool, str]
 
 
 def layer_priorities(
-    layers: Mapping[LayerKey, LayerCurves], priority: Levels, order: Mapping[int, int]
-) -> dict[LayerKey, Levels]:
+    layers: Mapping[LayerKey, LayerCurves], priority: PriorityCurve, order: Mapping[int, int]
+) -> dict[LayerKey, PriorityCurve]:
     """Return the priority over time of each layer that conflicts with another of the channel.
 
     `order`: the place in the score of each movement, by its `id()`. The channel's own `priority` is that of
@@ -45,7 +45,7 @@ def layer_priorities(
         latest = sorted(rivals, key=lambda key: _latest(starts[key], float(time)), reverse=True)
         for rank, key in enumerate(latest):
             below[key][index] = rank * STEP
-    return {key: Levels(edges, priority.at(edges) - below[key]) for key in rivals}
+    return {key: PriorityCurve(edges, priority.at(edges) - below[key]) for key in rivals}
 
 
 Start = tuple[float, float, int]

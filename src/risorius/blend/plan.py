@@ -28,7 +28,6 @@ from .directions import combine_directions
 from .knots import BLOCK, smoothstep
 from .layers import CompiledLayers
 from .ledger import DirectionEntry, Ledger, direction_entries
-from .levels import steady
 from .mouth.approach import MouthGaps, smooth_maximum, smooth_minimum
 from .mouth.coarticulation import LIP_MODELS
 from .mouth.contact import CONTACTS
@@ -36,6 +35,7 @@ from .mouth.limits import LIPS, SpeechLimits
 from .mouth.lips import CompiledLips
 from .mouth.sealing import with_goals
 from .mouth.speech_mouth import JAW
+from .priority_curve import steady
 from .rounding import MORE, SAMPLES, SHARP, Rounding, Surroundings
 from .sides import twins_of
 from .tuning import tune

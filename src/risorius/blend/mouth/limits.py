@@ -13,7 +13,7 @@ from ...core.arrays import Array
 from ..channels import Channel
 from ..intervals import EMPTY, Spans
 from ..knots import eased, paced
-from ..levels import Levels, outranking, outranks
+from ..priority_curve import PriorityCurve, outranking, outranks
 from .speech_mouth import JAW, ROUNDED, KnotBlock, RequestShare, SpeechMouth
 
 LIPS = "lips"
@@ -25,7 +25,7 @@ class SpeechLimits:
     Only closures limit a channel that outranks speech.
     """
 
-    def __init__(self, mouth: SpeechMouth, lips: Levels) -> None:
+    def __init__(self, mouth: SpeechMouth, lips: PriorityCurve) -> None:
         self.mouth, self._lips = mouth, lips
 
     def bind(self, channel: Channel, name: str) -> bool:

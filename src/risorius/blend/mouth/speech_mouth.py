@@ -20,7 +20,7 @@ from ...core.parameters import RIVALS
 from ...core.utterance import SILENCE
 from ..intervals import EMPTY, Spans, above_line, spans_between, union
 from ..knots import BLOCK, STEEPEST, Knots, Neighbourhood, along, block_knots, block_number, envelope, parts
-from ..levels import Levels
+from ..priority_curve import PriorityCurve
 from ..roots import find_roots
 from ..tuning import Tuning
 from .approach import Approach
@@ -205,13 +205,13 @@ class RequestShare(NamedTuple):
     """
 
     curves: tuple[object, ...]
-    levels: tuple[Levels, Levels]
+    levels: tuple[PriorityCurve, PriorityCurve]
     values: Array
 
-    def serves(self, curves: Sequence[object], levels: tuple[Levels, Levels]) -> bool:
+    def serves(self, curves: Sequence[object], levels: tuple[PriorityCurve, PriorityCurve]) -> bool:
         """Return whether it is the share of these curves with these priorities."""
         alike = len(curves) == len(self.curves) and all(map(is_, curves, self.curves))
-        return alike and all(map(Levels.equal, self.levels, levels))
+        return alike and all(map(PriorityCurve.equal, self.levels, levels))
 
 
 class KnotBlock:

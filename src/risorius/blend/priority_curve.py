@@ -30,7 +30,7 @@ class PriorityClaim:
 
 
 @dataclass(frozen=True, slots=True)
-class Levels:
+class PriorityCurve:
     """Priorities `values` (n,), each from its own time of `times` (n,) to the next; the first is -inf."""
 
     times: Array
@@ -46,7 +46,7 @@ class Levels:
         """All priorities, highest first."""
         return tuple(float(v) for v in np.unique(self.values)[::-1])
 
-    def equal(self, other: Levels) -> bool:
+    def equal(self, other: PriorityCurve) -> bool:
         """Return whether others are the same priorities at the same times."""
         return np.array_equal(self.times, other.times) and np.array_equal(self.values, other.values)
 
@@ -67,12 +67,12 @@ class Levels:
         return share(self.spans(level), times, PRIORITY_RAMP)
 
 
-def steady(priority: float) -> Levels:
+def steady(priority: float) -> PriorityCurve:
     """Return a priority that never changes."""
-    return Levels(np.array([-np.inf]), np.array([priority], dtype=np.float64))
+    return PriorityCurve(np.array([-np.inf]), np.array([priority], dtype=np.float64))
 
 
-def levels_of(claims: Iterable[PriorityClaim], default: float) -> Levels:
+def priority_curve(claims: Iterable[PriorityClaim], default: float) -> PriorityCurve:
     """Return a channel's priority: that of its latest-started movement under way, else the last one's.
 
     Before the first movement it is the first one's; without movements, `default`.
@@ -86,7 +86,7 @@ def levels_of(claims: Iterable[PriorityClaim], default: float) -> Levels:
     values = _sweep(ordered, times)
     changes = [0] + [i for i in range(1, len(times)) if values[i] != values[i - 1]]
     starts = [-np.inf, *(times[i] for i in changes[1:])]
-    return Levels(np.array(starts), np.array([values[i] for i in changes], dtype=np.float64))
+    return PriorityCurve(np.array(starts), np.array([values[i] for i in changes], dtype=np.float64))
 
 
 def _sweep(ordered: list[PriorityClaim], times: list[float]) -> list[float]:
@@ -109,14 +109,14 @@ def _sweep(ordered: list[PriorityClaim], times: list[float]) -> list[float]:
     return values
 
 
-def outranking(a: Levels, b: Levels) -> Spans:
+def outranking(a: PriorityCurve, b: PriorityCurve) -> Spans:
     """Return when the priority `a` is higher than `b`, shape (n, 2)."""
     return union(
         [intersection(a.spans(high), b.spans(low)) for high in a.distinct for low in b.distinct if high > low]
     )
 
 
-def outranks(a: Levels, b: Levels, times: Array) -> Array:
+def outranks(a: PriorityCurve, b: PriorityCurve, times: Array) -> Array:
     """Return 1 while priority `a` is higher than `b`, else 0, with ramps after each change; shape (n,)."""
     if a.constant is not None and b.constant is not None:
         return np.full(len(times), float(a.constant > b.constant))
