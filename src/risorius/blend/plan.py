@@ -28,7 +28,7 @@ from .directions import combine_directions
 from .knots import BLOCK, smoothstep
 from .layers import CompiledLayers
 from .ledger import DirectionEntry, Ledger, direction_entries
-from .mouth.approach import MouthGaps, smooth_maximum, smooth_minimum
+from .mouth.closure_speed import MouthGaps, smooth_maximum, smooth_minimum
 from .mouth.coarticulation import LIP_MODELS
 from .mouth.contact import CONTACTS
 from .mouth.limits import LIPS, SpeechLimits

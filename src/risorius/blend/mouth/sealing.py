@@ -8,7 +8,7 @@ import numpy as np
 
 from ...core.arrays import Array
 from ...core.lip_rig import LipRig
-from .approach import MouthGaps
+from .closure_speed import MouthGaps
 from .contact import SEAL, TUCK, beside_tuck
 from .lips import CompiledLips
 

@@ -23,7 +23,7 @@ from ..knots import BLOCK, STEEPEST, Knots, Neighbourhood, along, block_knots, b
 from ..priority_curve import PriorityCurve
 from ..roots import find_roots
 from ..tuning import Tuning
-from .approach import Approach
+from .closure_speed import ClosureSpeedLimit
 from .coarticulation import (
     TARGET,
     Coarticulation,
@@ -70,7 +70,7 @@ class SpeechMouth:
         self.model = model
         self.shapes = shapes
         self.goals = tuple(goals)
-        self.approach = Approach(goals)
+        self.approach = ClosureSpeedLimit(goals)
         self.tuning = tuning
         self.limits = tuple(limits)
         self._shared = SharedMappings(self.limits)

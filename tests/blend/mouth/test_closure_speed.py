@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius import blend
-from risorius.blend.mouth.approach import CHIN, Approach, smooth_minimum
+from risorius.blend.mouth.closure_speed import CHIN, ClosureSpeedLimit, smooth_minimum
 from risorius.blend.mouth.contact import SEAL, TUCK, contact_goals
 from risorius.blend.mouth.tradeoffs import checked, tradeoffs
 from risorius.core.lip_rig import OPENING, gap_left
@@ -43,8 +43,8 @@ def test_an_order_that_gives_up_a_closure_is_refused(order: tuple[str, ...], nam
         checked(replace(tradeoffs(), order=order))
 
 
-def approach(*spans: tuple[float, float], contact: str = SEAL) -> Approach:
-    return Approach(contact_goals([LipSegment("x", a, b, {contact: 1.0}) for a, b in spans]))
+def approach(*spans: tuple[float, float], contact: str = SEAL) -> ClosureSpeedLimit:
+    return ClosureSpeedLimit(contact_goals([LipSegment("x", a, b, {contact: 1.0}) for a, b in spans]))
 
 
 @given(edges=st.lists(st.floats(0.1, 1.9), min_size=4, max_size=8, unique=True))

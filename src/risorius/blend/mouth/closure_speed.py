@@ -53,7 +53,7 @@ TINY = 1e-12
 """No curve turns over less than this."""
 
 
-class Approach:
+class ClosureSpeedLimit:
     """The limits that the contact goals of a score set to the lips' opening and shape."""
 
     def __init__(self, goals: Sequence[Goal]) -> None:
