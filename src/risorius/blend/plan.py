@@ -33,7 +33,7 @@ from .mouth.coarticulation import LIP_MODELS
 from .mouth.contact import CONTACTS
 from .mouth.limits import LIPS, SpeechLimits
 from .mouth.lips import CompiledLips
-from .mouth.sealing import with_goals
+from .mouth.sealing import apply_contact_goals
 from .mouth.speech_mouth import JAW
 from .priority_curve import steady
 from .rounding import MORE, SAMPLES, SHARP, Rounding, Surroundings
@@ -172,7 +172,7 @@ class PlanSample:
             total, lips = self.rounded(name), self.plan.lips
             if lips is not None and name in CONTACTS:
                 speech = self.rounded(name, PlanSample.speech)
-                total = with_goals(name, total, speech, self.times, lips, self.mouth_gaps)
+                total = apply_contact_goals(name, total, speech, self.times, lips, self.mouth_gaps)
             self._values[name] = total
         return self._values[name]
 

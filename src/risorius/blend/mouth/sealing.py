@@ -16,7 +16,7 @@ GapsByRig = Callable[[LipRig], MouthGaps | None]
 """The gaps of the mouth by a head's rig; None if only speech parts the lips."""
 
 
-def with_goals(
+def apply_contact_goals(
     name: str, value: Array, speech: Array, times: Array, lips: CompiledLips, gaps: GapsByRig
 ) -> Array:
     """Return a contact (n,) at sorted times with its goals; each contact gives way to the other's goal.
