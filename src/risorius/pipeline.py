@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from . import channels
-from .blend import Plan, performance_after
+from .blend import Plan, recombine
 from .core.performance import announced
 from .core.progress import Progress, quiet
 from .core.score import Score
@@ -76,5 +76,5 @@ def combine(
     """Combine movements into curves; parts that an `earlier` take has in common with this one are reused."""
     known = earlier.planned if earlier else None
     plan = Plan(score, lip_rig(score, settings.head), known)
-    performance = performance_after(plan, settings.fps, known, earlier.performance if earlier else None)
+    performance = recombine(plan, settings.fps, known, earlier.performance if earlier else None)
     return Take(performance, settings, utterance, planned=plan)

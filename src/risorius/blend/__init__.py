@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from .changes import changed_span, performance_after
 from .explain import explain
 from .explanation import Contribution, Explanation
+from .incremental import changed_span, recombine
 from .plan import Plan, at, combine
 from .summary import Tally, summarize
 from .suppression import suppression
@@ -12,5 +12,5 @@ from .traces import Trace, traces
 
 __all__ = [
     "Contribution", "Explanation", "Plan", "Tally", "Trace",
-    "at", "changed_span", "combine", "explain", "performance_after", "summarize", "suppression", "traces",
+    "at", "changed_span", "combine", "explain", "recombine", "summarize", "suppression", "traces",
 ]  # fmt: skip

@@ -15,7 +15,7 @@ from .plan import Plan
 TimeSpan = tuple[float, float]
 
 
-def performance_after(
+def recombine(
     plan: Plan, fps: Fraction, before: Plan | None = None, earlier: Performance | None = None
 ) -> Performance:
     """Return the plan's performance; reuse the parts of `earlier` (made from the plan `before`) that did not
