@@ -16,7 +16,7 @@ from .curve import Curve
 from .intervals import Spans, union
 from .layer_priority import layer_priorities
 from .layers import CompiledLayers
-from .manual import Replaced, key_curves, replaced_spans
+from .manual import ManualOverride, key_curves, replaced_spans
 from .mouth.lips import CompiledLips, LipCurve
 from .priority_curve import PriorityClaim, PriorityCurve, priority_curve
 
@@ -122,7 +122,7 @@ def _joined(first: Mapping[str, Sequence[Curve]], then: Curves) -> Curves:
 def _under(replaced: Mapping[str, Spans], curves: Curves) -> Curves:
     """Return the curves, at rest while curves drawn by hand replace them."""
     return {
-        name: [Replaced(curve, replaced[name]) for curve in own] if name in replaced else own
+        name: [ManualOverride(curve, replaced[name]) for curve in own] if name in replaced else own
         for name, own in curves.items()
     }
 

@@ -62,7 +62,7 @@ def key_curves(curves: Iterable[ManualCurve]) -> dict[str, list[KeyCurve]]:
     return by_parameter
 
 
-class Replaced:
+class ManualOverride:
     """Another channel's curve, at rest while a curve drawn by hand replaces it."""
 
     def __init__(self, curve: Curve, spans: Spans) -> None:
@@ -116,4 +116,4 @@ def replaced_spans(curves: Iterable[ManualCurve]) -> dict[str, Spans]:
 
 def replaced_values(curve: Curve, times: Array) -> Array:
     """Return the part of another channel's curve that a drawn curve hides, at sorted times, shape (n,)."""
-    return curve.replaced_values(times) if isinstance(curve, Replaced) else np.zeros(len(times))
+    return curve.replaced_values(times) if isinstance(curve, ManualOverride) else np.zeros(len(times))
