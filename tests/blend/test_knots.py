@@ -13,13 +13,13 @@ from risorius.blend.knots import (
     STEEPEST,
     Knots,
     Neighbourhood,
-    along,
     block_knots,
-    eased,
     inverse_ramp,
-    paced,
-    parts,
     ramp,
+    rate_limited,
+    slowed_clock,
+    smooth_interp,
+    split_blocks,
 )
 
 KNOTS = np.array([0.0, 0.004, 0.009, 0.0135, 0.0185, 0.0225])
@@ -39,9 +39,11 @@ def test_a_ramp_goes_from_0_to_1_and_rests_at_both_ends() -> None:
 @given(values=arrays(np.float64, len(KNOTS), elements=st.floats(0.0, 1.0)))
 def test_a_curve_along_knots_turns_about_them_without_corners(values: np.ndarray) -> None:
     times = np.linspace(-0.002, 0.0245, 26501)
-    curve, lines = along(times, KNOTS, values), np.interp(times, KNOTS, values)
+    curve, lines = smooth_interp(times, KNOTS, values), np.interp(times, KNOTS, values)
     middles = (KNOTS[1:] + KNOTS[:-1]) / 2.0
-    assert along(middles, KNOTS, values) == pytest.approx(np.interp(middles, KNOTS, values), abs=1e-12)
+    assert smooth_interp(middles, KNOTS, values) == pytest.approx(
+        np.interp(middles, KNOTS, values), abs=1e-12
+    )
     assert curve.min() >= values.min() - 1e-12
     assert curve.max() <= values.max() + 1e-12
     assert np.abs(curve - lines).max() <= np.abs(np.diff(values)).max() / 4.0 + 1e-12
@@ -59,7 +61,7 @@ def test_a_ramp_is_undone_and_what_is_whole_stays_whole(share: np.ndarray) -> No
 @given(share=SHARES, steps=STEPS)
 def test_an_eased_curve_keeps_below_and_within_its_pace(share: np.ndarray, steps: np.ndarray) -> None:
     times = np.cumsum(steps)
-    found = eased(times, share, 0.2, 0.1)
+    found = rate_limited(times, share, 0.2, 0.1)
     speed = np.diff(found) / np.diff(times)
     assert (found <= share + 1e-9).all()
     assert speed.max() <= 1.0 / 0.2 + 1e-6
@@ -68,7 +70,7 @@ def test_an_eased_curve_keeps_below_and_within_its_pace(share: np.ndarray, steps
 
 def test_a_change_takes_little_longer_than_the_minimum() -> None:
     times = np.linspace(0.0, 1.0, 1001)
-    found = eased(times, np.where(times < 0.5, 0.0, 1.0), 0.2, 0.1)
+    found = rate_limited(times, np.where(times < 0.5, 0.0, 1.0), 0.2, 0.1)
     assert found[500] == pytest.approx(0.0, abs=1e-3)
     assert found[500 + round(200 * STEEPEST) + 1] == pytest.approx(1.0, abs=1e-6)
 
@@ -78,7 +80,7 @@ def test_what_is_asked_comes_and_goes_within_its_pace(
     share: np.ndarray, requested: np.ndarray, steps: np.ndarray
 ) -> None:
     times = np.cumsum(steps)
-    change = np.diff(eased(paced(times, requested), share, 0.2, 0.1)) / np.diff(times)
+    change = np.diff(rate_limited(slowed_clock(times, requested), share, 0.2, 0.1)) / np.diff(times)
     most = np.maximum(requested[1:], requested[:-1])
     assert (most * change <= 1.0 / 0.2 + 1e-6).all()
     assert (most * change >= -1.0 / 0.1 - 1e-6).all()
@@ -86,9 +88,9 @@ def test_what_is_asked_comes_and_goes_within_its_pace(
 
 def test_a_share_of_half_changes_in_half_the_time_and_of_nothing_not_at_once() -> None:
     times = np.linspace(0.0, 1.0, 11)
-    assert paced(times, np.full(11, 0.5)) == pytest.approx(2.0 * times)
-    assert paced(times, np.zeros(11)) == pytest.approx(4.0 * times)
-    assert paced(times, np.ones(11)) == pytest.approx(times)
+    assert slowed_clock(times, np.full(11, 0.5)) == pytest.approx(2.0 * times)
+    assert slowed_clock(times, np.zeros(11)) == pytest.approx(4.0 * times)
+    assert slowed_clock(times, np.ones(11)) == pytest.approx(times)
 
 
 @given(share=SHARES, steps=STEPS)
@@ -128,7 +130,7 @@ def test_the_knots_of_a_block_do_not_grow_with_a_stretch_that_leaves_it(start: f
 
 def test_times_lie_in_the_parts_that_hold_them() -> None:
     times = np.array([-0.5, 1.0, 59.0, 60.0, 89.9, 150.0])
-    found = [(number, times[place].tolist()) for number, place in parts(times, 30.0)]
+    found = [(number, times[place].tolist()) for number, place in split_blocks(times, 30.0)]
     assert found == [(-1, [-0.5]), (0, [1.0]), (1, [59.0]), (2, [60.0, 89.9]), (5, [150.0])]
-    assert list(parts(times[1:2], 30.0)) == [(0, slice(0, 1))]
-    assert list(parts(times[:0], 30.0)) == []
+    assert list(split_blocks(times[1:2], 30.0)) == [(0, slice(0, 1))]
+    assert list(split_blocks(times[:0], 30.0)) == []

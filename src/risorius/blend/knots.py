@@ -24,7 +24,7 @@ def block_number(time: float) -> int:
     return math.floor(time / BLOCK)
 
 
-def parts(times: Array, length: float) -> Iterator[tuple[int, slice]]:
+def split_blocks(times: Array, length: float) -> Iterator[tuple[int, slice]]:
     """Yield each part of `length` seconds that holds some of the sorted times, with their place."""
     if not len(times):
         return
@@ -85,7 +85,7 @@ class Knots:
         return np.append(knots, end)
 
 
-def along(times: Array, knots: Array, values: Array) -> Array:
+def smooth_interp(times: Array, knots: Array, values: Array) -> Array:
     """Return at some times, shape (n,), the curve of `values` on sorted `knots` (m,), without corners.
 
     It is straight from knot to knot, and a parabola about each knot, up to the middle of the shorter of the
@@ -135,7 +135,7 @@ def inverse_ramp(y: Array) -> Array:
     return np.where(y < 0.5, near, 1.0 - near)
 
 
-def eased(times: Array, share: Array, rise: float, fall: float) -> Array:
+def rate_limited(times: Array, share: Array, rise: float, fall: float) -> Array:
     """Return the curve below `share`, 0..1, that changes at a limited speed, shape (n,).
 
     It rises by at most 1 in `rise` seconds, falls by at most 1 in `fall` seconds, and has no kinks at 0 and
@@ -149,7 +149,7 @@ LEAST_REQUESTED = 0.25
 and never at once."""
 
 
-def paced(times: Array, requested: Array) -> Array:
+def slowed_clock(times: Array, requested: Array) -> Array:
     """Return a clock that runs faster the smaller the request, 0..1, at the `times` is; shape (n,) all.
 
     On this clock the share of a request has the minimum durations of a muscle from rest to full: half a

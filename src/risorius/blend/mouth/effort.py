@@ -35,7 +35,7 @@ from ...core.arrays import Array, IndexArray
 from ...core.movement import LipSegment
 from ...core.utterance import SILENCE
 from ..intervals import ranges
-from ..knots import parts, steps_between
+from ..knots import split_blocks, steps_between
 from .coarticulation import LIP_MODELS, ParameterGroups, SegmentValues, SegmentWeights, SharedMappings
 
 EFFORT = 5e-7
@@ -224,7 +224,7 @@ class EffortModel:
         if latest is None or latest[0] is not times:
             bases = (
                 _basis(part, place, self._part(part).elements, times[place])
-                for part, place in parts(times, PART)
+                for part, place in split_blocks(times, PART)
             )
             latest = self._latest = (times, tuple(bases))
         return latest[1]

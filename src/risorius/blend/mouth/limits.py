@@ -12,7 +12,7 @@ import numpy as np
 from ...core.arrays import Array
 from ..channels import Channel
 from ..intervals import EMPTY, Spans
-from ..knots import eased, paced
+from ..knots import rate_limited, slowed_clock
 from ..priority_curve import PriorityCurve, outranking, outranks
 from .speech_mouth import JAW, ROUNDED, KnotBlock, RequestShare, SpeechMouth
 
@@ -92,8 +92,8 @@ class SpeechLimits:
             limit = np.maximum(limit - speech, 0.0)
         share = np.divide(limit, requested, out=np.ones(len(knots)), where=requested > limit)
         if (share < 1.0).any():
-            around, clock = block.around(ROUNDED), paced(knots, requested)
+            around, clock = block.around(ROUNDED), slowed_clock(knots, requested)
             share = around.lowest(share)
-            share = eased(clock, share, tuning.min_onset[name], tuning.min_offset[name])
+            share = rate_limited(clock, share, tuning.min_onset[name], tuning.min_offset[name])
             share = around.average(share)
         return share

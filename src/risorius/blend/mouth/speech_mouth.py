@@ -2,7 +2,7 @@
 
 All curves are computed on knots: times that divide every segment evenly, at most `STEP` apart, so that the
 results do not depend on the frame rate and move with the segments. Between knots limits turn without
-corners (`along`). Knots are computed in blocks of time, so that memory does not grow with the score.
+corners (`smooth_interp`). Knots are computed in blocks of time, so that memory does not grow with the score.
 """
 
 from __future__ import annotations
@@ -19,7 +19,17 @@ from ...core.movement import LipSegment
 from ...core.parameters import RIVALS
 from ...core.utterance import SILENCE
 from ..intervals import EMPTY, Spans, above_line, spans_between, union
-from ..knots import BLOCK, STEEPEST, Knots, Neighbourhood, along, block_knots, block_number, envelope, parts
+from ..knots import (
+    BLOCK,
+    STEEPEST,
+    Knots,
+    Neighbourhood,
+    block_knots,
+    block_number,
+    envelope,
+    smooth_interp,
+    split_blocks,
+)
 from ..priority_curve import PriorityCurve
 from ..roots import find_roots
 from ..tuning import Tuning
@@ -154,11 +164,11 @@ class SpeechMouth:
         self,
         curve: Callable[[KnotBlock], Array],
         times: Array,
-        between: Callable[[Array, Array, Array], Array] = along,
+        between: Callable[[Array, Array, Array], Array] = smooth_interp,
     ) -> Array:
         """Return at sorted times, shape (n,), a curve that is known on the knots of each block."""
         values = np.empty(len(times))
-        for number, place in parts(times, BLOCK):
+        for number, place in split_blocks(times, BLOCK):
             block = self.block(number)
             values[place] = between(times[place], block.knots, curve(block))
         return values
@@ -225,7 +235,7 @@ class KnotBlock:
         self.knots = knots
         self._mouth = mouth
         self._goals = tuple(g for g in mouth.goals if g.start <= knots[-1] and g.end >= knots[0])
-        # One knot more to either side: between the knots curves turn about them (`along`).
+        # One knot more to either side: between the knots curves turn about them (`smooth_interp`).
         first = np.searchsorted(knots, [g.start for g in self._goals], side="left") - 1
         last = np.searchsorted(knots, [g.end for g in self._goals], side="right") + 1
         first = np.maximum(first, 0)

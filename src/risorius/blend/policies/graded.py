@@ -17,7 +17,7 @@ from ...core.arrays import Array
 from ...core.parameters import RIVALS
 from ..channels import Channel
 from ..conflict import POLICIES, Join, PolicyInputs, Resolver, Suppressor
-from ..knots import LEAST_REQUESTED, STEEPEST, Knots, eased, paced, smoothstep
+from ..knots import LEAST_REQUESTED, STEEPEST, Knots, rate_limited, slowed_clock, smoothstep
 from .strength import Strengths
 
 WIDTH = 0.4
@@ -56,8 +56,8 @@ class Graded:
 
         def gain(channel: Channel, parameter: str, strongest: Array) -> Array:
             onset, offset = tuning.min_onset[parameter], tuning.min_offset[parameter]
-            clock = paced(knots, channel.lines(parameter, knots))
-            return eased(clock, smoothstep(1.0 - strongest), onset, offset)
+            clock = slowed_clock(knots, channel.lines(parameter, knots))
+            return rate_limited(clock, smoothstep(1.0 - strongest), onset, offset)
 
         return Strengths(self._inputs, knots, strength, gain)
 
