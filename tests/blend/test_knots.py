@@ -12,7 +12,7 @@ from risorius.blend.knots import (
     BLOCK,
     STEEPEST,
     Knots,
-    Neighbourhood,
+    KnotWindow,
     block_knots,
     inverse_ramp,
     ramp,
@@ -97,14 +97,14 @@ def test_a_share_of_half_changes_in_half_the_time_and_of_nothing_not_at_once() -
 def test_the_lowest_of_all_times_around(share: np.ndarray, steps: np.ndarray) -> None:
     times = np.cumsum(steps)
     near = np.abs(times[:, None] - times) <= WIDTH / 2.0 + 1e-9
-    lowest = Neighbourhood(times, WIDTH).lowest(share)
+    lowest = KnotWindow(times, WIDTH).lowest(share)
     assert (lowest == np.where(near, share, np.inf).min(axis=1)).all()
 
 
 def test_a_rounded_curve_has_no_corner_and_is_exact_where_it_is_even() -> None:
     times = np.linspace(0.0, 1.0, 501)
     corner = 0.9 - np.abs(times - 0.5).clip(0.0, 0.3)
-    found = Neighbourhood(times, WIDTH).average(corner)
+    found = KnotWindow(times, WIDTH).average(corner)
     assert (found[times < 0.17] == corner[times < 0.17]).all()
     assert np.abs(np.diff(found, 2)).max() < 0.2 * np.abs(np.diff(corner, 2)).max()
 
@@ -112,7 +112,7 @@ def test_a_rounded_curve_has_no_corner_and_is_exact_where_it_is_even() -> None:
 @given(share=SHARES, steps=STEPS)
 def test_rounded_after_the_lowest_is_not_above_the_curve(share: np.ndarray, steps: np.ndarray) -> None:
     times = np.cumsum(steps)
-    around = Neighbourhood(times, WIDTH)
+    around = KnotWindow(times, WIDTH)
     assert (around.average(around.lowest(share)) <= share + 1e-12).all()
 
 

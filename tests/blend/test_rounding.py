@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from risorius import blend
 from risorius.blend.plan import Plan
-from risorius.blend.rounding import Surroundings
+from risorius.blend.rounding import SmoothingWindow
 from risorius.core.arrays import Array
 from risorius.core.movement import ManualCurve, Movement
 from risorius.core.parameters import INDEX, NAMES
@@ -81,7 +81,7 @@ def test_a_curve_drawn_by_hand_goes_through_its_keys() -> None:
 )
 def test_an_average_lies_between_what_it_is_made_of(values: list[float], width: float) -> None:
     knots, times = np.linspace(0.0, 1.0, 4), np.linspace(0.0, 1.0, 41)
-    around = Surroundings(times, width, 1.0)
+    around = SmoothingWindow(times, width, 1.0)
     read: Array = np.interp(around.times, knots, values)
     average = around.average(read)
     assert average.min() >= min(values) - 1e-15

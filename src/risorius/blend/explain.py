@@ -28,7 +28,7 @@ from .mouth.limits import LIPS
 from .mouth.lips import CompiledLips
 from .mouth.speech_mouth import JAW
 from .plan import Plan, PlanSample
-from .rounding import Surroundings
+from .rounding import SmoothingWindow
 
 _LEAST = 1e-9
 # The share of its range by which rounding must change a parameter to be worth a note.
@@ -67,7 +67,7 @@ def _contributions(sample: PlanSample, name: str) -> list[Contribution]:
 
 def _origin_of_rounded(sample: PlanSample, name: str) -> PlanSample:
     """Return the moment near by that moves a parameter most: by rounding it shows in `sample`, too."""
-    near = Surroundings(sample.times, sample.plan.rounding.width(name), sample.plan.score.duration).times
+    near = SmoothingWindow(sample.times, sample.plan.rounding.width(name), sample.plan.score.duration).times
     found = PlanSample(sample.plan, near).joined(name) - NEUTRAL[INDEX[name]]
     return PlanSample(sample.plan, near[[int(np.abs(found).argmax())]])
 

@@ -159,7 +159,7 @@ def slowed_clock(times: Array, requested: Array) -> Array:
     return np.append(0.0, np.cumsum(_grains(np.diff(times) / most)))
 
 
-class Neighbourhood:
+class KnotWindow:
     """The `width` seconds around each of some sorted times (n,), cut at the first and the last time."""
 
     def __init__(self, times: Array, width: float) -> None:

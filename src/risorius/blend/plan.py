@@ -36,7 +36,7 @@ from .mouth.lips import CompiledLips
 from .mouth.sealing import apply_contact_goals
 from .mouth.speech_mouth import JAW
 from .priority_curve import steady
-from .rounding import MORE, SAMPLES, SHARP, Rounding, Surroundings
+from .rounding import MORE, SAMPLES, SHARP, Rounding, SmoothingWindow
 from .sides import twins_of
 from .tuning import tune
 from .units import UnitSums
@@ -147,7 +147,7 @@ class PlanSample:
         self._ledgers: dict[str, Ledger] = {}
         self._joined: dict[str, Array] = {}
         self._values: dict[str, Array] = {}
-        self._around: dict[tuple[float, bool], tuple[Surroundings, PlanSample]] = {}
+        self._around: dict[tuple[float, bool], tuple[SmoothingWindow, PlanSample]] = {}
 
     def values(self, wanted: Container[str] = NAMES) -> Array:
         """Return all parameters, shape (n, 46); those that are not `wanted` stay at rest."""
@@ -183,7 +183,7 @@ class PlanSample:
             return read(self, name)
         even = self.plan.rounding.even(name)
         if (width, even) not in self._around:
-            surroundings = self._surroundings(name, self.times)
+            surroundings = self._window(name, self.times)
             self._around[width, even] = surroundings, PlanSample(self.plan, surroundings.times)
         surroundings, sample = self._around[width, even]
         around = read(sample, name)
@@ -193,9 +193,9 @@ class PlanSample:
         exact = self.plan.rounding.exact(name, self.times)
         return np.where(exact, read(self, name), average) if exact.any() else average
 
-    def _surroundings(self, name: str, times: Array, samples: int = SAMPLES) -> Surroundings:
+    def _window(self, name: str, times: Array, samples: int = SAMPLES) -> SmoothingWindow:
         rounding, end = self.plan.rounding, self.plan.score.duration
-        return Surroundings(times, rounding.width(name), end, even=rounding.even(name), samples=samples)
+        return SmoothingWindow(times, rounding.width(name), end, even=rounding.even(name), samples=samples)
 
     def _average_corners(
         self, name: str, read: Callable[[PlanSample, str], Array], average: Array, sharpness: Array
@@ -204,7 +204,7 @@ class PlanSample:
         shares = smoothstep(np.clip(sharpness / SHARP - 1.0, 0.0, 1.0))
         here = np.flatnonzero(shares)
         if len(here):
-            around = self._surroundings(name, self.times[here], MORE)
+            around = self._window(name, self.times[here], MORE)
             closer = around.average(read(PlanSample(self.plan, around.times), name))
             average[here] += shares[here] * (closer - average[here])
 

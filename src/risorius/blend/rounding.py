@@ -49,7 +49,7 @@ class Rounding:
         return self._width * QUICK if is_quick(name) else self._width
 
     def even(self, name: str) -> bool:
-        """Return whether all that is read around a moment counts alike (`Surroundings`).
+        """Return whether all that is read around a moment counts alike (`SmoothingWindow`).
 
         Of the brows what is farther away counts less: a signal takes over from a display in full speed, and
         may stand out for a shorter time than `width`, so that equal weights would leave two corners.
@@ -65,7 +65,7 @@ class Rounding:
         return np.asarray((number >= 0) & (times <= spans[number, 1]))
 
 
-class Surroundings:
+class SmoothingWindow:
     """The times around some sorted times (n,) at which curves are read for averages over `width` seconds.
 
     `even`: all count alike; else those that are farther away count less. `samples`: how many for each time.

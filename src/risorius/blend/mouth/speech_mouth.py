@@ -23,7 +23,7 @@ from ..knots import (
     BLOCK,
     STEEPEST,
     Knots,
-    Neighbourhood,
+    KnotWindow,
     block_knots,
     block_number,
     envelope,
@@ -243,7 +243,7 @@ class KnotBlock:
         self._averages = SegmentAverages(mouth.columns, knots)
         self._curves: dict[tuple[str, str], Array] = {}
         self.shares: dict[tuple[str, str], RequestShare] = {}
-        self.around: Callable[[float], Neighbourhood] = cache(partial(Neighbourhood, knots))
+        self.around: Callable[[float], KnotWindow] = cache(partial(KnotWindow, knots))
 
     def above(self, name: str, threshold: float) -> Spans:
         """Return when the segments' curve is higher than `threshold`: searched on knots, then refined."""
