@@ -69,7 +69,7 @@ def coming_vowels(
     return coming
 
 
-def anticipated(own: LipSegment, vowel: LipSegment, shares: Mapping[str, float]) -> TargetsHeld:
+def coarticulate_onset(own: LipSegment, vowel: LipSegment, shares: Mapping[str, float]) -> TargetsHeld:
     """Return the targets of a consonant's segment in which a vowel takes part, by `shares` of its precision.
 
     Each is the mean of both, by precision; it is as precise as both together. Closures, and

@@ -16,7 +16,7 @@ from ..languages.phonesets import to_arpabet
 from ..reading.frozen import FrozenDict
 from ..rules.articulation import is_known, sounds
 from ..rules.lips import OPENING, SEAL, LipTable, PhoneShape
-from .anticipation import TargetsHeld, anticipated, coming_vowels
+from .anticipation import TargetsHeld, coarticulate_onset, coming_vowels
 from .inputs import ChannelInputs, Context
 from .registry import register
 from .tempo import fullness_of_phones
@@ -93,7 +93,7 @@ class _Shaper:
             owners = (own.targets, own.precision, vowel.targets, vowel.precision)
             key = (*map(id, owners), *coming.shares.items())
             if key not in self._shared:
-                self._shared[key] = anticipated(own, vowel, coming.shares)
+                self._shared[key] = coarticulate_onset(own, vowel, coming.shares)
             held = self._shared[key]
             yield own.with_targets(held.targets, held.precision)
 
