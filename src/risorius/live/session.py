@@ -23,7 +23,6 @@ from ..errors import InputError, ParameterError, UnusedSettingError, check_numbe
 from ..rules.emotions import Displays, emotion_names
 from ..settings import Settings
 from ..take import with_profile
-from .beside import performer_beside
 from .frame import LiveFrame
 from .idle import IDLE_SECONDS, idle_take
 from .joining import Joining, join_later, lead_on_later
@@ -39,6 +38,7 @@ from .performer import (
     perform_sentence,
     played,
 )
+from .process_performer import process_performer
 from .seam import SEAM, Seam
 from .turn import (
     FEW_SENTENCES,
@@ -254,7 +254,7 @@ class Live:
         """Let frames wait for speech that is being heard, or come in time: then a process beside performs."""
         self._waits = waits
         if self._performer.may_move and not waits:
-            self._performer = performer_beside()
+            self._performer = process_performer()
 
     def _frame(self) -> LiveFrame | None:
         stretch = self._current()

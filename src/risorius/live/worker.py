@@ -1,4 +1,4 @@
-"""The tasks of a worker that performs for live faces (`beside`)."""
+"""The tasks of a worker that performs for live faces (`process_performer`)."""
 
 from __future__ import annotations
 

@@ -213,7 +213,7 @@ def test_an_engine_that_dies_is_one_message(client: Client, monkeypatch: pytest.
         return perform(script, *choices, **options)
 
     monkeypatch.setattr("risorius.live.performer.perform", dying)
-    monkeypatch.setattr("risorius.live.session.performer_beside", LocalPerformer)
+    monkeypatch.setattr("risorius.live.session.process_performer", LocalPerformer)
     client.start(fps=20)
     client.send("say", text="It dies. ")
     assert client.until("error")["message"] == "the voice ended"
@@ -337,7 +337,7 @@ def test_a_face_lives_on_while_a_voice_is_heard(client: Client, monkeypatch: pyt
         return hear(phrase, language)
 
     monkeypatch.setattr(hearing, "hear_phrase", slowly)
-    monkeypatch.setattr("risorius.live.session.performer_beside", LocalPerformer)
+    monkeypatch.setattr("risorius.live.session.process_performer", LocalPerformer)
     client.start(fps=30)
     silence = base64.b64encode(bytes(16_000)).decode()
     client.send("say", audio=silence, rate=16_000, text="")

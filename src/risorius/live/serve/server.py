@@ -25,7 +25,7 @@ from ...api import speak
 from ...errors import InputError, RisoriusError
 from ...ports.mesh.rig import Rig
 from ...settings import Settings
-from ..beside import warm_beside
+from ..process_performer import warm_processes
 from ..session import Live
 from . import limits, pages
 from .client import BUSY, Gate, LiveClient
@@ -120,7 +120,7 @@ class LiveServer:
 
 def warm_up() -> None:
     """Load and compile ahead for the first client, beside the process that performs for it."""
-    warm_beside()
+    warm_processes()
     try:
         speak("Hello.", text=True)
         next(Live(arkit=True).frames(waits=False))

@@ -14,11 +14,11 @@ import pytest
 
 from risorius import Live
 from risorius.errors import RisoriusError, SpeechError, UnusedSettingError
-from risorius.live import beside
-from risorius.live.beside import LostError, PerformerBeside, PerformerProcess
+from risorius.live import process_performer
 from risorius.live.frame import LiveFrame
 from risorius.live.pace import Pace
 from risorius.live.performer import LocalPerformer, Played, perform_sentence
+from risorius.live.process_performer import LostError, PerformerWorker, ProcessPerformer
 from risorius.live.seam import SEAM
 from risorius.live.turn import TAIL
 from risorius.machine.workers import WorkerError
@@ -31,9 +31,9 @@ CHOSEN = Settings(lead=SEAM, tail=TAIL)
 
 
 @pytest.fixture(scope="module")
-def process() -> Iterator[PerformerProcess]:
+def process() -> Iterator[PerformerWorker]:
     """A process that has loaded."""
-    process = PerformerProcess()
+    process = PerformerWorker()
     while True:
         try:
             process.ask("text", "Oh.", (), CHOSEN)
@@ -51,8 +51,8 @@ def same(one: Played, other: Played) -> None:
     assert (one.sample_rate, one.words) == (other.sample_rate, other.words)
 
 
-def test_it_performs_as_here_and_says_what_is_wrong(process: PerformerProcess) -> None:
-    performer, text = PerformerBeside(process), "I like it. Do you? "
+def test_it_performs_as_here_and_says_what_is_wrong(process: PerformerWorker) -> None:
+    performer, text = ProcessPerformer(process), "I like it. Do you? "
     same(performer.text(text, (), CHOSEN), LocalPerformer().text(text, (), CHOSEN))
     with pytest.raises(SpeechError, match="unknown voice"):
         process.ask("text", "Oh.", (), Settings(voice="nobody"))
@@ -76,12 +76,12 @@ def test_a_turn_that_grows_is_spoken_only_where_it_has_grown(monkeypatch: pytest
 
 
 def test_a_process_that_ends_costs_nothing_but_time() -> None:
-    process = PerformerProcess()
+    process = PerformerWorker()
     # Loading still: it is performed here.
-    said = PerformerBeside(process).text("Oh.", (), CHOSEN)
+    said = ProcessPerformer(process).text("Oh.", (), CHOSEN)
     process.close()
     assert process.is_lost
-    same(PerformerBeside(process).text("Oh.", (), CHOSEN), said)
+    same(ProcessPerformer(process).text("Oh.", (), CHOSEN), said)
     with pytest.raises(LostError):
         process.ask("text", "Oh.", (), CHOSEN)
 
@@ -100,14 +100,14 @@ class _Process:
 
 
 def test_faces_share_processes_and_a_lost_one_is_replaced(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(beside, "PerformerProcess", _Process)
+    monkeypatch.setattr(process_performer, "PerformerWorker", _Process)
     monkeypatch.setattr(os, "cpu_count", lambda: 2)
-    _Process.started, processes = 0, beside.Processes()
+    _Process.started, processes = 0, process_performer.Processes()
     faces = [processes.performer() for _ in range(4)]
     assert _Process.started == 1
     faces += [processes.performer() for _ in range(20)]
     assert _Process.started == 2
-    used = [face._process for face in faces if isinstance(face, PerformerBeside)]
+    used = [face._process for face in faces if isinstance(face, ProcessPerformer)]
     assert sorted(used.count(process) for process in set(used)) == [12, 12]
     used[0].is_lost = True  # type: ignore[misc]
     faces += [processes.performer()]
@@ -120,11 +120,11 @@ def test_faces_share_processes_and_a_lost_one_is_replaced(monkeypatch: pytest.Mo
 
 
 def test_where_no_process_can_be_started_it_is_performed_here(monkeypatch: pytest.MonkeyPatch) -> None:
-    def refused() -> PerformerProcess:
+    def refused() -> PerformerWorker:
         raise WorkerError("could not be started: no more processes")
 
-    monkeypatch.setattr(beside, "PerformerProcess", refused)
-    assert isinstance(beside.Processes().performer(), LocalPerformer)
+    monkeypatch.setattr(process_performer, "PerformerWorker", refused)
+    assert isinstance(process_performer.Processes().performer(), LocalPerformer)
 
 
 def test_a_paced_face_does_not_wait_for_what_joins_before_the_last_call(
@@ -175,11 +175,11 @@ def test_errors_come_through_as_they_are(error: RisoriusError) -> None:
 def test_the_process_is_started_when_frames_are_to_come_in_time(monkeypatch: pytest.MonkeyPatch) -> None:
     """Not with the first frame or the first sentence: it loads for a second or more."""
     started: list[object] = []
-    processes = beside.Processes()
-    monkeypatch.setattr(beside, "_processes", processes)
-    monkeypatch.setattr(beside, "PerformerProcess", lambda: started.append(1) or FakeProcess())
-    beside.warm_beside()
-    beside.warm_beside()
+    processes = process_performer.Processes()
+    monkeypatch.setattr(process_performer, "_processes", processes)
+    monkeypatch.setattr(process_performer, "PerformerWorker", lambda: started.append(1) or FakeProcess())
+    process_performer.warm_processes()
+    process_performer.warm_processes()
     assert len(started) == 1
     faces = [Live() for _ in range(2)]
     iterators = [faces[0].frames(paced=True), faces[1].aframes()]

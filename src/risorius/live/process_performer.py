@@ -34,7 +34,7 @@ class LostError(Exception):
     """The process has ended, or does not answer."""
 
 
-class PerformerProcess:
+class PerformerWorker:
     """A process that performs one request after the other; it loads what it needs while others perform."""
 
     def __init__(self) -> None:
@@ -74,12 +74,12 @@ class PerformerProcess:
         self._worker.close()
 
 
-class PerformerBeside:
+class ProcessPerformer:
     """Performs in a process; here while that is loading, if it is lost, and with the voice of a file, which
     may take its time.
     """
 
-    def __init__(self, process: PerformerProcess) -> None:
+    def __init__(self, process: PerformerWorker) -> None:
         self._process, self._here = process, LocalPerformer()
 
     @property
@@ -119,7 +119,7 @@ class Processes:
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._users: list[tuple[PerformerProcess, WeakSet[PerformerBeside]]] = []
+        self._users: list[tuple[PerformerWorker, WeakSet[ProcessPerformer]]] = []
 
     def performer(self) -> TurnPerformer:
         """Return a performer in the process with the fewest faces; a performer here if there can be none."""
@@ -128,7 +128,7 @@ class Processes:
             if not self._users:
                 return LocalPerformer()
             process, users = min(self._users, key=lambda entry: len(entry[1]))
-            performer = PerformerBeside(process)
+            performer = ProcessPerformer(process)
             users.add(performer)
             return performer
 
@@ -143,17 +143,17 @@ class Processes:
         fewest = min((len(users) for _, users in self._users), default=_FACES)
         if fewest >= _FACES and len(self._users) < (os.cpu_count() or 1):
             with contextlib.suppress(WorkerError):
-                self._users.append((PerformerProcess(), WeakSet()))
+                self._users.append((PerformerWorker(), WeakSet()))
 
 
 _processes = Processes()
 
 
-def warm_beside() -> None:
+def warm_processes() -> None:
     """Start the process that performs for the next face: it loads for a second or more."""
     _processes.warm()
 
 
-def performer_beside() -> TurnPerformer:
+def process_performer() -> TurnPerformer:
     """Return a performer in a process that several faces share; it is started if there is none."""
     return _processes.performer()
