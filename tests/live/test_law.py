@@ -15,9 +15,9 @@ from risorius import Live, speak
 from risorius.core.parameters import INDEX, NAMES
 from risorius.languages import language_of
 from risorius.live import session, turn
+from risorius.live.crossfade import CROSSFADE
 from risorius.live.frame import LiveFrame
 from risorius.live.performer import perform_sentence
-from risorius.live.seam import SEAM
 from risorius.live.sentences import SentenceBuffer
 from risorius.live.turn import LAST_CALL, TAIL
 from risorius.rules.emotions import Displays
@@ -35,7 +35,7 @@ PARAGRAPH = (
 @cache
 def spoken(text: str, feelings: Displays, seed: int) -> Take:
     """Perform sentences as a live face does by default; the same ones are performed once."""
-    return perform_sentence(text, feelings, Settings(lead=SEAM, tail=TAIL, seed=seed))
+    return perform_sentence(text, feelings, Settings(lead=CROSSFADE, tail=TAIL, seed=seed))
 
 
 def talking() -> Live:
@@ -155,7 +155,7 @@ def test_a_late_piece_is_the_performance_with_a_pause_of_that_length_there(late:
     assert begun == len(before.performance.values) + late
     close_to(frames[: len(before.performance.values)], before)
     assert not any(f.sound.any() for f in frames[len(before.performance.values) : begun])
-    seam = round(SEAM * 30)
+    seam = round(CROSSFADE * 30)
     values = after.performance.values[seam:]
     np.testing.assert_allclose([f.values for f in frames[begun + seam :]], values, atol=1e-6)
     assert after.audio is not None
@@ -168,7 +168,7 @@ def test_a_late_piece_is_the_performance_with_a_pause_of_that_length_there(late:
 
 def test_the_frames_are_those_of_speak() -> None:
     text = "Hello there. Who are you?"
-    chosen = Settings(lead=SEAM, tail=TAIL)
+    chosen = Settings(lead=CROSSFADE, tail=TAIL)
     take = speak(text, text=True, emotion={"happiness": 0.7}, settings=chosen)
     face = Live()
     face.feel("happiness", 0.7)
@@ -214,13 +214,13 @@ def test_what_goes_beyond_the_longest_turn_follows_without_a_jump(monkeypatch: p
     half = text.index("I saw Tom")
     longer, after = offline(text[: text.index("I saw Ann")].strip()), offline(text[half:].strip(), seed=1)
     assert longer.utterance is not None
-    border = round((longer.utterance.words[16].start - SEAM) * 30)
+    border = round((longer.utterance.words[16].start - CROSSFADE) * 30)
     np.testing.assert_allclose(
         [f.values for f in frames[:border]], longer.performance.values[:border], atol=1e-6
     )
     sound_of(frames[:border], longer)
     assert abs(len(frames) - len(offline(text.strip()).performance.values)) <= 1
-    seam = round(SEAM * 30)
+    seam = round(CROSSFADE * 30)
     values = after.performance.values[seam:]
     np.testing.assert_allclose([f.values for f in frames[border + seam :]], values, atol=1e-6)
     steps = np.abs(np.diff([f.values for f in frames], axis=0))

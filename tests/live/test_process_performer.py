@@ -15,11 +15,11 @@ import pytest
 from risorius import Live
 from risorius.errors import RisoriusError, SpeechError, UnusedSettingError
 from risorius.live import process_performer
+from risorius.live.crossfade import CROSSFADE
 from risorius.live.frame import LiveFrame
 from risorius.live.pace import Pace
 from risorius.live.performer import LocalPerformer, Played, perform_sentence
 from risorius.live.process_performer import LostError, PerformerWorker, ProcessPerformer
-from risorius.live.seam import SEAM
 from risorius.live.turn import TAIL
 from risorius.machine.workers import WorkerError
 from risorius.rules.emotions import Displays
@@ -27,7 +27,7 @@ from risorius.settings import Settings
 from risorius.speech.engines.espeak import EspeakEngine
 from risorius.speech.engines.protocol import Rendition, SpeechRequest
 
-CHOSEN = Settings(lead=SEAM, tail=TAIL)
+CHOSEN = Settings(lead=CROSSFADE, tail=TAIL)
 
 
 @pytest.fixture(scope="module")

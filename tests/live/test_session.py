@@ -20,9 +20,9 @@ from risorius.core.score import Score
 from risorius.core.utterance import Phone, Utterance, Word
 from risorius.errors import InputError, ParameterError, RisoriusError, SpeechError, UnusedSettingError
 from risorius.languages import language_of
+from risorius.live.crossfade import CROSSFADE
 from risorius.live.frame import LiveFrame
 from risorius.live.pace import Pace
-from risorius.live.seam import SEAM
 from risorius.live.sentences import SentenceBuffer
 from risorius.rules.emotions import Displays
 from risorius.settings import Settings
@@ -160,7 +160,7 @@ def test_values_pass_over_a_seam_without_a_jump() -> None:
     face.close()
     values = np.array([f.values for f in face.frames()])
     span = values.max() - values.min()
-    assert np.abs(np.diff(values, axis=0)).max() <= 1.5 * span / (SEAM * 60) + 1e-12
+    assert np.abs(np.diff(values, axis=0)).max() <= 1.5 * span / (CROSSFADE * 60) + 1e-12
 
 
 def test_an_idle_face_lives_and_instances_are_apart() -> None:

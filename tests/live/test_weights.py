@@ -12,7 +12,7 @@ import pytest
 
 from risorius import Live, Settings, speak
 from risorius.errors import HeadError
-from risorius.live.seam import SEAM
+from risorius.live.crossfade import CROSSFADE
 from risorius.live.turn import TAIL
 from risorius.live.weights import LiveSolvers, LiveWeights
 
@@ -22,7 +22,7 @@ def test_weights_are_those_of_the_performance() -> None:
     live.say("Oh, wow.")
     live.close()
     frames = list(live.frames())
-    track = speak("Oh, wow.", settings=Settings(lead=SEAM, tail=TAIL)).arkit
+    track = speak("Oh, wow.", settings=Settings(lead=CROSSFADE, tail=TAIL)).arkit
     weights = np.array([frame.arkit for frame in frames])
     # Between frames the curves are straight lines, since what comes next is not known.
     assert np.abs(weights - track.weights[: len(weights)]).max() < 0.03

@@ -23,6 +23,7 @@ from ..errors import InputError, ParameterError, UnusedSettingError, check_numbe
 from ..rules.emotions import Displays, emotion_names
 from ..settings import Settings
 from ..take import with_profile
+from .crossfade import CROSSFADE, CrossFade
 from .frame import LiveFrame
 from .idle import IDLE_SECONDS, idle_take
 from .joining import Joining, join_later, lead_on_later
@@ -39,7 +40,6 @@ from .performer import (
     played,
 )
 from .process_performer import process_performer
-from .seam import SEAM, Seam
 from .turn import (
     FEW_SENTENCES,
     FIRST_CHARACTERS,
@@ -88,7 +88,7 @@ class Live:
         changed = [name for name in ("lead", "tail") if getattr(chosen, name) != getattr(Settings(), name)]
         if changed:
             raise UnusedSettingError(changed, "a live face sets its own pauses; leave them at their defaults")
-        self._settings = replace(chosen, lead=SEAM, tail=TAIL)
+        self._settings = replace(chosen, lead=CROSSFADE, tail=TAIL)
         self._idle_settings = with_profile(self._settings)
         self._performer: TurnPerformer = LocalPerformer(perform)
         self._weights = _weights(self._settings) if arkit else None
@@ -110,7 +110,7 @@ class Live:
         self._joining: Joining | None = None
         self._beginning: tuple[LiveSentence, ...] = ()
         self._last: Array | None = None
-        self._seam = Seam(self._settings.fps)
+        self._crossfade = CrossFade(self._settings.fps)
         self._listener = PauseListener()
         self._nod_from: int | None = None
         self._looking = Looking(self._settings.fps)
@@ -263,7 +263,7 @@ class Live:
         if stretch is None:
             return None
         index, fps, rate = self._next, self._settings.fps, stretch.sample_rate
-        values = self._seam.blended(stretch.values[index - stretch.first], index)
+        values = self._crossfade.blended(stretch.values[index - stretch.first], index)
         edges = [round(k * rate / fps) for k in (stretch.first, index, index + 1)]
         sound = np.zeros(edges[2] - edges[1], np.int16)
         heard = stretch.samples[edges[1] - edges[0] : edges[2] - edges[0]]
@@ -343,7 +343,7 @@ class Live:
                 self._stretch = performed.stretch
                 assert self._last is not None
                 coming = performed.stretch.values[self._next - 1 - performed.stretch.first :]
-                self._seam.meet(self._last, coming, self._next)
+                self._crossfade.follow(self._last, coming, self._next)
         self._told(performed)
 
     def _told(self, performed: PerformedTurn) -> None:
@@ -373,7 +373,7 @@ class Live:
             self._turns, self._sample_rate = self._turns + 1, performed.stretch.sample_rate
         else:
             self._stretch = self._begin_idle(before, feelings)
-        self._seam.leave(self._last, self._next)
+        self._crossfade.start(self._last, self._next)
 
     def _begin_idle(self, before: LiveStretch | None, feelings: Displays) -> LiveStretch:
         chosen = replace(self._idle_settings, seed=self._settings.seed + self._idles)
