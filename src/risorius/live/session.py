@@ -26,7 +26,6 @@ from ..take import with_profile
 from .crossfade import CROSSFADE, CrossFade
 from .frame import LiveFrame
 from .idle import IDLE_SECONDS, idle_take
-from .joining import Joining, join_later, lead_on_later
 from .listening import PauseListener, nod_pitch, nodded
 from .looking import Looking, direction_of
 from .pace import Pace
@@ -40,6 +39,7 @@ from .performer import (
     played,
 )
 from .process_performer import process_performer
+from .sentence_queue import LiveSentence, SentenceQueue
 from .turn import (
     FEW_SENTENCES,
     FIRST_CHARACTERS,
@@ -52,7 +52,7 @@ from .turn import (
     room,
     stretch_of,
 )
-from .waiting import LiveSentence, WaitingSentences
+from .turn_extension import TurnExtension, join_later, lead_on_later
 
 if TYPE_CHECKING:
     from .weights import LiveWeights
@@ -93,7 +93,7 @@ class Live:
         self._performer: TurnPerformer = LocalPerformer(perform)
         self._weights = _weights(self._settings) if arkit else None
         language = language_spoken(chosen)
-        self._waiting = WaitingSentences(
+        self._waiting = SentenceQueue(
             language, lambda phrase, before: hear_later(self._performer, phrase, language, before)
         )
         # Why phrases are heard less well than they might be.
@@ -107,7 +107,7 @@ class Live:
         self._stretch: LiveStretch | None = None
         # How the turn that plays is performed, who joins it, and who begins one.
         self._plan: TurnPlan | None = None
-        self._joining: Joining | None = None
+        self._joining: TurnExtension | None = None
         self._beginning: tuple[LiveSentence, ...] = ()
         self._last: Array | None = None
         self._crossfade = CrossFade(self._settings.fps)
@@ -323,14 +323,14 @@ class Live:
         if joining is None or self._next < joining.at:
             return False
         # Frames that must come in time go on without it, unless a sentence ends there.
-        return self._waits or joining.turn.done() or self._next >= playing.last_call(self._settings.fps)
+        return self._waits or joining.turn.done() or self._next >= playing.join_deadline(self._settings.fps)
 
     def _may_join(self, playing: LiveStretch, plan: TurnPlan) -> bool:
         """Tell whether there is time to join the turn that plays, and nothing joins it yet."""
-        in_time = self._next <= playing.last_call(plan.settings.fps)
+        in_time = self._next <= playing.join_deadline(plan.settings.fps)
         return in_time and not playing.is_full and self._joining is None and not self._beginning
 
-    def _join(self, joining: Joining) -> None:
+    def _join(self, joining: TurnExtension) -> None:
         """Continue with the extended turn; if its new sentences fail, tell why and keep the old turn."""
         performed = joining.turn.result()
         playing = self._stretch

@@ -15,7 +15,7 @@ from ..rules.emotions import Displays
 from ..settings import Settings
 from .hearing import texts_of
 from .performer import Played, TurnPerformer
-from .waiting import LiveSentence
+from .sentence_queue import LiveSentence
 
 TAIL = 0.35
 """Seconds of silence behind a sentence; with the seam before the next they make its pause."""
@@ -65,7 +65,7 @@ class LiveStretch:
         later = [character for start, character in self.words if start > seconds]
         return self.spoken[later[0] :] if later else ""
 
-    def last_call(self, fps: Fraction) -> int:
+    def join_deadline(self, fps: Fraction) -> int:
         """Return the last frame before which sentences may join."""
         return max(self.first, self.end - ceil(LAST_CALL * fps))
 

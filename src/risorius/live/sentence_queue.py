@@ -45,7 +45,7 @@ class LiveSentence:
         return self.feelings == first.feelings and self.rate == first.rate
 
 
-class WaitingSentences:
+class SentenceQueue:
     """Sentences that wait, in order, and the last one, which is not whole yet.
 
     `hear` hears a phrase of a voice, after the one before it if there is one.
