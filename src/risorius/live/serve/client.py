@@ -22,8 +22,8 @@ from ..session import Live
 from ..weights import LiveWeights
 from . import limits
 from .choices import settings_from
+from .frame_queue import FrameQueue
 from .frames import FrameLayout, written
-from .mailbox import Mailbox
 from .messages import (
     VERSION,
     ClientMessage,
@@ -69,7 +69,7 @@ class LiveClient:
 
     def __init__(self, socket: WebSocket, gate: Gate) -> None:
         self._socket, self._gate = socket, gate
-        self._mailbox = Mailbox()
+        self._queue = FrameQueue()
         self._messages = TokenBucket(limits.MESSAGES, limits.MESSAGES_AT_ONCE, time.monotonic)
         self._bytes = TokenBucket(limits.BYTES, limits.BYTES_AT_ONCE, time.monotonic)
 
@@ -103,7 +103,7 @@ class LiveClient:
     async def _serve(self) -> None:
         start = await self._start()
         layout, settings = self._wanted(start)
-        self._mailbox = Mailbox(max(1, ceil(start.ahead * settings.fps)))
+        self._queue = FrameQueue(max(1, ceil(start.ahead * settings.fps)))
         face, weights = await asyncio.to_thread(self._made, settings, layout)
         await self._socket.send_text(_started(layout, settings))
         parts = (self._play(face, weights, start.ahead), self._read(face), self._write(layout, start))
@@ -155,7 +155,7 @@ class LiveClient:
         return self._gate.face(settings), LiveWeights(settings) if layout.fits else None
 
     async def _play(self, face: Live, weights: LiveWeights | None, ahead: float) -> None:
-        """Put frames into the mailbox when their time has come; the last one however late it is."""
+        """Put frames into the queue when their time has come; the last one however late it is."""
         frames, sentence = face.frames(waits=False), ""
         pace = Pace(face.fps, time.monotonic)
         late: LiveFrame | None = None
@@ -163,17 +163,17 @@ class LiveClient:
             try:
                 frame = await asyncio.to_thread(next, frames, None)
             except RisoriusError as error:
-                self._mailbox.tell(written("error", message=str(error)))
+                self._queue.tell(written("error", message=str(error)))
                 frames = face.frames(waits=False)
                 continue
             if frame is None:
                 break
             if late is not None:
-                self._mailbox.drop(late)
+                self._queue.drop(late)
                 late = None
             if frame.text != sentence:
                 sentence = frame.text
-                self._mailbox.tell(written("sentence", text=sentence, index=frame.index))
+                self._queue.tell(written("sentence", text=sentence, index=frame.index))
             if (wait := pace.wait(frame.index) - ahead) > 0:
                 await asyncio.sleep(wait)
             if pace.late(frame.index) > limits.LATE:
@@ -182,14 +182,14 @@ class LiveClient:
                 await self._put(frame, weights)
         if late is not None:
             await self._put(late, weights)
-        self._mailbox.end()
+        self._queue.end()
         await asyncio.Event().wait()
 
     async def _put(self, frame: LiveFrame, weights: LiveWeights | None) -> None:
-        self._mailbox.put(frame if weights is None else await asyncio.to_thread(weights.added, frame))
+        self._queue.put(frame if weights is None else await asyncio.to_thread(weights.added, frame))
 
     async def _write(self, layout: FrameLayout, start: StartFace) -> None:
-        while (item := await self._mailbox.take()) is not None:
+        while (item := await self._queue.take()) is not None:
             message = item if isinstance(item, str) else layout.written(item, start.format)
             try:
                 async with asyncio.timeout(limits.UNREAD):
@@ -212,11 +212,11 @@ class LiveClient:
                 if isinstance(message, Interrupt):
                     # It waits for what is being heard.
                     unsaid = await asyncio.to_thread(face.interrupt)
-                    self._mailbox.tell(written("interrupted", unsaid=unsaid))
+                    self._queue.tell(written("interrupted", unsaid=unsaid))
                 else:
                     follow(face, message)
             except RisoriusError as error:
-                self._mailbox.tell(written("error", message=error.message))
+                self._queue.tell(written("error", message=error.message))
 
     async def _received(self) -> str:
         """Return the next message; raises InputError if it is not a text."""

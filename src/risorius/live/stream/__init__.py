@@ -1,11 +1,11 @@
 """Performances sent to other programs as they happen: one module per protocol, one line here for each."""
 
-from .greeting import wait_for_greeting
+from .handshake import wait_for_greeting
 from .ifacialmocap import GREETINGS, ifacialmocap_packets, ifacialmocap_pieces
-from .line import PATIENCE
 from .live import send_live
 from .livelink import livelink_packets
 from .protocols import PROTOCOLS, ArkitMoment, Options, Packets, Protocol, check_options, register
+from .receiver import PATIENCE
 from .receiver_socket import Address, parse_address
 from .send import SendCounts, send
 from .take import send_take

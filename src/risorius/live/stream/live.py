@@ -15,8 +15,8 @@ from ...core.progress import Progress, quiet
 from ...errors import RisoriusError
 from ..frame import LiveFrame
 from ..session import Live
-from .line import PATIENCE, Line
 from .protocols import ArkitMoment, Options
+from .receiver import PATIENCE, Receiver
 from .receiver_socket import ReceiverSocket
 from .send import SendCounts
 from .sound import open_output
@@ -38,7 +38,7 @@ def send_live(
     Arguments and errors are those of `send_take`; with `sound` the voice is played here and is the clock.
     Errors of a sentence are told to `progress`; the face goes on.
     """
-    line = Line.named(protocol, to, listen, options).greeted(patience, progress)
+    line = Receiver.named(protocol, to, listen, options).greeted(patience, progress)
     packets = line.protocol.make(face.fps, line.options)
     sent = 0
     with ReceiverSocket(line.address, tcp=line.protocol.tcp) as receiver, _Speaker(sound) as speaker:

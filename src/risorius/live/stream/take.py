@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from ...core.progress import Progress, quiet
 from ...take import Take
 from . import clock
-from .line import PATIENCE, Line
 from .protocols import ArkitMoment, Options
+from .receiver import PATIENCE, Receiver
 from .send import SendCounts, send
 
 
@@ -31,7 +31,7 @@ def send_take(
     With `sound` the voice is played here and is the clock. Raises InputError for a wrong protocol or address,
     OutputError if nothing listens or no handshake comes.
     """
-    line = Line.named(protocol, to, listen, options)
+    line = Receiver.named(protocol, to, listen, options)
     timer = clock.SoundClock(take.audio) if sound and take.audio is not None else clock.MachineClock()
     progress("Fitting weights …")
     track = take.arkit

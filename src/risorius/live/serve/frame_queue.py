@@ -13,7 +13,7 @@ from . import limits
 from .frames import SentFrame
 
 
-class Mailbox:
+class FrameQueue:
     """Holds the latest `most` frames; of one that must go, the next has the sound."""
 
     def __init__(self, most: int = 1) -> None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 from ...core.progress import Progress
 from ...errors import InputError
-from .greeting import wait_for_greeting
+from .handshake import wait_for_greeting
 from .protocols import PROTOCOLS, Options, Protocol, check_options
 from .receiver_socket import Address, check_host, parse_address
 
@@ -15,7 +15,7 @@ PATIENCE = 60.0
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class Receiver:
     """A protocol with its options, and the receiver's address; `listens`: the receiver greets there first."""
 
     protocol: Protocol
@@ -24,7 +24,7 @@ class Line:
     listens: bool = False
 
     @classmethod
-    def named(cls, protocol: str, to: str, listen: str | None, options: Options | None) -> Line:
+    def named(cls, protocol: str, to: str, listen: str | None, options: Options | None) -> Receiver:
         """Return the line to a receiver; raise InputError for an unknown option, OutputError for no host."""
         chosen, options = PROTOCOLS.get(protocol), options or Options()
         address = parse_address(listen or to, chosen.port)
@@ -36,7 +36,7 @@ class Line:
             check_host(address)
         return cls(chosen, options, address, listen is not None)
 
-    def greeted(self, patience: float, progress: Progress) -> Line:
+    def greeted(self, patience: float, progress: Progress) -> Receiver:
         """Wait for a handshake, if asked to, and return its sender; raise OutputError if none comes."""
         if not self.listens:
             return self
@@ -44,4 +44,4 @@ class Line:
         host, greeting = wait_for_greeting(self.address, self.protocol.greetings, patience)
         protocol = PROTOCOLS.get(greeting.protocol)
         options = replace(self.options, dialect=greeting.dialect)
-        return Line(protocol, options, Address(host, protocol.port))
+        return Receiver(protocol, options, Address(host, protocol.port))

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from risorius.core.parameters import NAMES
 from risorius.live.frame import LiveFrame
 from risorius.live.serve import limits
+from risorius.live.serve.frame_queue import FrameQueue
 from risorius.live.serve.frames import SentFrame
-from risorius.live.serve.mailbox import Mailbox
 
 RATE, FPS = 1_000, 10
 
@@ -28,7 +28,7 @@ def test_whatever_is_dropped_the_sound_is_whole_and_all_frames_are_counted(
     most: int, steps: list[str]
 ) -> None:
     async def run() -> list[SentFrame]:
-        mailbox, taken, waiting = Mailbox(most), [], 0
+        mailbox, taken, waiting = FrameQueue(most), [], 0
         for index, step in enumerate(steps):
             if step == "put":
                 mailbox.put(frame(index))
@@ -55,7 +55,7 @@ def test_whatever_is_dropped_the_sound_is_whole_and_all_frames_are_counted(
 
 def test_events_go_first_and_the_oldest_are_forgotten() -> None:
     async def run() -> list[object]:
-        mailbox = Mailbox()
+        mailbox = FrameQueue()
         mailbox.put(frame(0))
         for number in range(limits.EVENTS + 1):
             mailbox.tell(str(number))
@@ -68,7 +68,7 @@ def test_events_go_first_and_the_oldest_are_forgotten() -> None:
 
 def test_sound_of_another_rate_is_not_joined() -> None:
     async def run() -> object:
-        mailbox = Mailbox()
+        mailbox = FrameQueue()
         mailbox.drop(frame(0))
         mailbox.put(frame(1, 2 * RATE))
         return await mailbox.take()
