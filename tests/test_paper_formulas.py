@@ -11,7 +11,7 @@ import pytest
 
 from risorius.blend import combine
 from risorius.channels import ChannelInputs, Display, compose
-from risorius.core.counted import Counted
+from risorius.core.counter_rng import CounterRng
 from risorius.core.movement import Movement
 from risorius.core.parameters import INDEX, PARAMETERS
 from risorius.core.score import Score
@@ -148,7 +148,7 @@ def test_an_emblem_is_weaker_shorter_and_a_part_of_its_display(sentence_of: Make
 
 def measured(said: Utterance) -> Utterance:
     """Return an utterance whose syllables have pitch, as those of measured sound."""
-    numbers = Counted(5)
+    numbers = CounterRng(5)
     pitched = tuple(replace(s, pitch=numbers.normal(i, limit=2.0)) for i, s in enumerate(said.syllables))
     return replace(said, syllables=pitched)
 

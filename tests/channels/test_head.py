@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from risorius.blend import combine
 from risorius.channels import ChannelInputs, compose
 from risorius.channels.head import noise_steps
-from risorius.core.counted import Counted
+from risorius.core.counter_rng import CounterRng
 from risorius.core.time import on_tick
 from risorius.core.utterance import Utterance
 
@@ -28,7 +28,7 @@ TEXT = (
 
 def measured(said: Utterance) -> Utterance:
     """Return an utterance whose syllables have pitch, as those of measured sound."""
-    numbers = Counted(3)
+    numbers = CounterRng(3)
     syllables = [replace(s, pitch=numbers.normal(i, limit=2.0)) for i, s in enumerate(said.syllables)]
     return replace(said, syllables=tuple(syllables))
 
@@ -110,7 +110,7 @@ EDGES = st.lists(st.integers(0, 5 * SAMPLE), max_size=8, unique=True).map(
 @given(EDGES, st.integers(0, 1000))
 @example([0.00816326530612245, 0.1509297052154195, 0.8868480725623583, 2.586621315192744], 141)
 def test_each_movement_of_the_noise_begins_where_the_last_one_ends(edges: list[float], seed: int) -> None:
-    steps = list(noise_steps((0.5, 1.3), edges, edges[-1:], 5.0, Counted(seed)))
+    steps = list(noise_steps((0.5, 1.3), edges, edges[-1:], 5.0, CounterRng(seed)))
     assert steps[0][0] == 0.0
     assert steps[-1][1] >= 5.0
     assert all(a[1] == b[0] and on_tick(a[0]) < on_tick(b[0]) for a, b in pairwise(steps))

@@ -11,7 +11,7 @@ from risorius.channels import ChannelInputs, Display, compose
 from risorius.channels.blinks import PELACHAUD as PHASES
 from risorius.channels.blinks import blink_depth
 from risorius.channels.manipulators import itti_wait, natural_interval
-from risorius.core.counted import Counted
+from risorius.core.counter_rng import CounterRng
 from risorius.core.movement import Cause, Movement
 from risorius.core.utterance import Utterance
 from risorius.errors import ParameterError
@@ -42,14 +42,14 @@ def test_an_unknown_model_is_refused() -> None:
 
 
 def test_natural_intervals_are_log_normal() -> None:
-    logs = np.log([natural_interval(Counted(0, number), 3.0, 0.6) for number in range(20_000)])
+    logs = np.log([natural_interval(CounterRng(0, number), 3.0, 0.6) for number in range(20_000)])
     assert logs.mean() == pytest.approx(np.log(3.0), abs=0.02)
     assert logs.std() == pytest.approx(0.6, abs=0.02)
     assert ((logs - logs.mean()) ** 3).mean() / logs.std() ** 3 == pytest.approx(0.0, abs=0.06)
 
 
 def test_itti_s_waits_follow_the_printed_hazards() -> None:
-    waits = np.array([itti_wait(Counted(0, number), 1.8) for number in range(20_000)])
+    waits = np.array([itti_wait(CounterRng(0, number), 1.8) for number in range(20_000)])
     assert waits.min() >= 1.8
     # None of one blink a second over 1.8 s, then ten a second: facts: science/03, section 3.1.
     for since, survival in ((1.0, np.exp(-1.0)), (1.8, np.exp(-1.8)), (1.9, np.exp(-2.8))):
@@ -116,7 +116,7 @@ def test_natural_intervals_are_neither_periodic_nor_clipped() -> None:
 def test_blinks_of_the_papers_are_complete() -> None:
     for model in ("itti", "pelachaud"):
         habits = profile_of("neutral", model).blinks
-        assert {blink_depth(habits, Counted(0, n)) for n in range(50)} == {1.0}
+        assert {blink_depth(habits, CounterRng(0, n)) for n in range(50)} == {1.0}
 
 
 def test_most_looks_beyond_30_degrees_share_a_moment_with_a_blink() -> None:

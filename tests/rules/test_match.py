@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.core.counted import Counted
+from risorius.core.counter_rng import CounterRng
 from risorius.core.utterance import Question, Utterance
 from risorius.rules.emotions import Display
 from risorius.rules.match import Event, events_of
@@ -21,7 +21,7 @@ from risorius.rules.units import Units
 from risorius.speech.synthesis import synthesize_line
 
 Maker = Callable[..., Utterance]
-NUMBERS = Counted(7)
+NUMBERS = CounterRng(7)
 
 
 def rule_of(text: str, name: str = "signals.brows.mine") -> Rule:

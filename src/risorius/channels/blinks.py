@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import accumulate
 
-from ..core.counted import Counted
+from ..core.counter_rng import CounterRng
 from ..core.movement import Cause, Movement
 from ..rules.match import LIDS
 from ..rules.profiles import BlinkHabits
@@ -59,7 +59,7 @@ def _parts(habits: BlinkHabits) -> tuple[float, float, float]:
     return published.get(habits.model, (habits.closing, habits.closed, habits.opening))
 
 
-def blink_depth(habits: BlinkHabits, numbers: Counted) -> float:
+def blink_depth(habits: BlinkHabits, numbers: CounterRng) -> float:
     """Return how far a blink closes the eyes, 0..1: a share of natural blinks is not complete."""
     if habits.model != "natural" or numbers.uniform("incomplete") >= habits.incomplete:
         return 1.0

@@ -10,7 +10,7 @@ from collections.abc import Collection
 from dataclasses import replace
 
 from ..core.channels import CHANNELS
-from ..core.counted import Counted
+from ..core.counter_rng import CounterRng
 from ..core.movement import LipSegment, Movement
 from ..core.score import BlendSettings, Score, check_course
 from ..errors import ParameterError, unknown
@@ -51,7 +51,7 @@ def compose(
     movements: list[Movement] = []
     segments: list[LipSegment] = []
     for name in channels:
-        context = Context(name, events, tuple(movements), Counted(seed, name))
+        context = Context(name, events, tuple(movements), CounterRng(seed, name))
         for built in builder_of(CHANNELS.get(name))(inputs, context):
             if isinstance(built, LipSegment):
                 segments.append(built)
@@ -83,7 +83,7 @@ def proposed(inputs: ChannelInputs, seed: int) -> tuple[Event, ...]:
     if not inputs.lively:
         return ()
     events = events_of(
-        inputs.rules, inputs.units, Counted(seed), modulations=inputs.modulations, side=inputs.profile.side
+        inputs.rules, inputs.units, CounterRng(seed), modulations=inputs.modulations, side=inputs.profile.side
     )
     exclusive = [m for m in inputs.marks if CHANNELS.get(m.channel).exclusive]
     return tuple(resolve(events, [(m.start, m.end, frozenset(m.parameters)) for m in exclusive]))

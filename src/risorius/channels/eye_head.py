@@ -14,7 +14,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from ..core.counted import Counted
+from ..core.counter_rng import CounterRng
 from ..core.movement import Cause, Movement
 from ..core.parameters import INDEX, PARAMETERS
 from ..rules.match import EYES
@@ -143,7 +143,7 @@ class _Pose:
         return pitch, yaw
 
 
-def blinks_with(degrees: float, habits: BlinkHabits, numbers: Counted) -> bool:
+def blinks_with(degrees: float, habits: BlinkHabits, numbers: CounterRng) -> bool:
     """Draw whether a shift of gaze brings a blink.
 
     The probability grows with the square of the angle (that it grows: Evinger et al. 1994).
@@ -156,7 +156,7 @@ def shifts_of(
     duration: float,
     habits: BlinkHabits,
     boundaries: Sequence[float],
-    numbers: Counted,
+    numbers: CounterRng,
 ) -> Iterator[Movement]:
     """Yield the movements of eyes, head and lids for shifts of gaze in order of time.
 

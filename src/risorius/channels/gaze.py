@@ -17,7 +17,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import count
 
-from ..core.counted import Counted
+from ..core.counter_rng import CounterRng
 from ..core.movement import Cause, Movement
 from ..core.time import TICK
 from ..rules.emotions import emotion_key
@@ -95,7 +95,7 @@ class _Ends:
         return bisect_left(self._times, start) < bisect_left(self._times, end)
 
 
-def _blinks(looking: Sequence[Movement], inputs: ChannelInputs, numbers: Counted) -> Iterator[Movement]:
+def _blinks(looking: Sequence[Movement], inputs: ChannelInputs, numbers: CounterRng) -> Iterator[Movement]:
     """Yield the blinks with marked looks, as with all others."""
     habits, boundaries = inputs.profile.blinks, inputs.units.boundaries
     for number, mark in enumerate(looking):
@@ -151,7 +151,7 @@ def _meets(span: MovementPhases, look: Glance) -> bool:
     return span.start < look.end and look.start < span.end
 
 
-def _aimed(event: Event, inputs: ChannelInputs, numbers: Counted) -> Angles:
+def _aimed(event: Event, inputs: ChannelInputs, numbers: CounterRng) -> Angles:
     name = str(event.rule.effect.look)
     if name == AWAY:
         return _away(inputs, numbers.under(event.rule.id, event.unit.phrase, event.unit.number))
@@ -160,7 +160,7 @@ def _aimed(event: Event, inputs: ChannelInputs, numbers: Counted) -> Angles:
     return scale * found.pitch, scale * found.yaw
 
 
-def _away(inputs: ChannelInputs, numbers: Counted) -> Angles:
+def _away(inputs: ChannelInputs, numbers: CounterRng) -> Angles:
     """Return a random direction away from the listener."""
     habits = inputs.profile.gaze
     way = numbers.choice(habits.directions, "way")
@@ -171,12 +171,14 @@ def _away(inputs: ChannelInputs, numbers: Counted) -> Angles:
     return (1.0 if way == "up" else -1.0) * _around(habits.pitch, numbers, "angle"), 2.0 * stray
 
 
-def _around(normal: tuple[float, float], numbers: Counted, what: str) -> float:
+def _around(normal: tuple[float, float], numbers: CounterRng, what: str) -> float:
     mean, deviation = normal
     return numbers.normal(what, mean=mean, deviation=deviation, limit=2.0)
 
 
-def _averted(inputs: ChannelInputs, looks: Sequence[Glance], ends: _Ends, numbers: Counted) -> list[Glance]:
+def _averted(
+    inputs: ChannelInputs, looks: Sequence[Glance], ends: _Ends, numbers: CounterRng
+) -> list[Glance]:
     """Return the looks, and among them those away that regulate intimacy (Andrist et al. 2013).
 
     None begins during a smile, after the last word or near the end of a sentence. Other looks cut them short.
@@ -218,7 +220,7 @@ def _aversion(inputs: ChannelInputs, time: float) -> Aversion:
 
 
 def _fixations(
-    inputs: ChannelInputs, looks: Sequence[Glance], ends: _Ends, numbers: Counted
+    inputs: ChannelInputs, looks: Sequence[Glance], ends: _Ends, numbers: CounterRng
 ) -> Iterator[GazeShift]:
     """Yield the shifts of gaze in order: to each look, back, and about the target meanwhile."""
     time = 0.0
@@ -241,7 +243,7 @@ def _fixations(
 
 
 def _scan(
-    inputs: ChannelInputs, start: float, end: float, centre: Angles, ends: _Ends, numbers: Counted
+    inputs: ChannelInputs, start: float, end: float, centre: Angles, ends: _Ends, numbers: CounterRng
 ) -> Iterator[GazeShift]:
     """Yield saccades about a direction, at random times in (start, end); so small, they bring no blink."""
     habits = inputs.profile.gaze
@@ -260,7 +262,7 @@ def _scan(
         yield GazeShift(time, point, cause, blinks=False)
 
 
-def _fixation(mean: float, numbers: Counted) -> float:
+def _fixation(mean: float, numbers: CounterRng) -> float:
     """Return seconds of a fixation: none shorter than the eyes' refractory time, few much longer.
 
     The rest of the time follows a gamma distribution of shape 2, the sum of two exponential ones.

@@ -11,7 +11,7 @@ from itertools import count
 from statistics import fmean
 
 from ..core.action_units import resolve_targets
-from ..core.counted import Counted
+from ..core.counter_rng import CounterRng
 from ..core.movement import Cause, Movement
 from ..core.parameters import INDEX, PARAMETERS
 from ..core.time import TICK
@@ -102,7 +102,7 @@ def _runs(said: Utterance) -> Iterator[tuple[list[Syllable], float]]:
         yield run, run[0].start
 
 
-def _noise(inputs: ChannelInputs, numbers: Counted) -> Iterator[Movement]:
+def _noise(inputs: ChannelInputs, numbers: CounterRng) -> Iterator[Movement]:
     """Yield a chain of smooth movements to random targets; in pauses they go only a part of the way."""
     habits = inputs.profile.head
     deviations = dict(zip(HEAD, (habits.pitch, habits.yaw, habits.roll), strict=True))
@@ -123,7 +123,7 @@ def noise_steps(
     edges: Sequence[float],
     last: Collection[float],
     duration: float,
-    numbers: Counted,
+    numbers: CounterRng,
 ) -> Iterator[tuple[float, float, float]]:
     """Yield start and end in seconds of each movement, and the share 0..1 of its way that there is time for.
 

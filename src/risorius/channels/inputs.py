@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from ..core.counted import Counted
+from ..core.counter_rng import CounterRng
 from ..core.movement import Movement
 from ..core.utterance import Utterance
 from ..rules.emotions import Display
@@ -74,4 +74,4 @@ class Context:
     name: str
     events: tuple[Event, ...]
     built: tuple[Movement, ...]
-    numbers: Counted
+    numbers: CounterRng

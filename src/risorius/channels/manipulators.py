@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from itertools import count
 
-from ..core.counted import Counted
+from ..core.counter_rng import CounterRng
 from ..core.movement import Cause, Movement
 from ..rules.match import LIDS
 from ..rules.profiles import BlinkHabits
@@ -26,7 +26,7 @@ _SHUT, _LONGEST = 0.5, 0.8
 # Seconds between two blinks at least.
 _APART = 0.25
 
-NextBlink = Callable[[float, Counted], float]
+NextBlink = Callable[[float, CounterRng], float]
 """(end of what the wait runs from, numbers) -> when the next blink comes, seconds."""
 WaitReset = tuple[float, float, float]
 """Start and end of an event that restarts the wait for a blink, and the seconds before it without blinks."""
@@ -80,7 +80,7 @@ def _between(
     latest: float,
     following: NextBlink,
     added: Callable[[float, int], Movement],
-    numbers: Counted,
+    numbers: CounterRng,
 ) -> Iterator[Movement]:
     """Yield the blinks that are added between events, the last one at the `latest` time, seconds.
 
@@ -104,12 +104,12 @@ def _between(
             last = max(last, events.pop(0)[1])
 
 
-def natural_interval(numbers: Counted, median: float, deviation: float) -> float:
+def natural_interval(numbers: CounterRng, median: float, deviation: float) -> float:
     """Return a log-normal time in seconds; `deviation`: the standard deviation of its logarithm."""
     return median * math.exp(numbers.normal("normal", deviation=deviation))
 
 
-def itti_wait(numbers: Counted, wait: float) -> float:
+def itti_wait(numbers: CounterRng, wait: float) -> float:
     """Return a random time in seconds from a saccade or blink to the next blink.
 
     None comes before the typical wait; then they come at random, ever more often after two and three waits.

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from ..core.action_units import in_parameters, kept_units, unit_weights
-from ..core.counted import Counted
+from ..core.counter_rng import CounterRng
 from ..core.parameters import INDEX, PARAMETERS, Kind, parameters_named
 from ..core.time import TICK
 from ..reading.frozen import FrozenDict
@@ -60,7 +60,7 @@ Condition = Callable[[Unit], object]
 def events_of(
     rules: Iterable[Rule],
     units: Units,
-    numbers: Counted,
+    numbers: CounterRng,
     *,
     modulations: Sequence[Modulation] = (),
     side: float = 0.0,
@@ -76,7 +76,7 @@ def events_of(
 
 
 def _matched(
-    rule: Rule, units: Units, numbers: Counted, modulations: Sequence[Modulation], side: float
+    rule: Rule, units: Units, numbers: CounterRng, modulations: Sequence[Modulation], side: float
 ) -> Iterator[Event]:
     rate = rate_of(rule.id, modulations)
     fitting: Iterable[Unit] = units.of(rule.level)
@@ -96,7 +96,7 @@ def _matched(
         yield _event(rule, unit, units, span, size, mirrored=mirrored)
 
 
-def _varied(deviation: float, numbers: Counted) -> float:
+def _varied(deviation: float, numbers: CounterRng) -> float:
     """Return a random factor on an event's size, 1 if it does not vary."""
     if deviation == 0.0:
         return 1.0
@@ -195,7 +195,7 @@ def _range(parameter: str) -> tuple[float, float]:
     return PARAMETERS[INDEX[parameter]].low, PARAMETERS[INDEX[parameter]].high
 
 
-def _span(rule: Rule, unit: Unit, numbers: Counted) -> MovementPhases:
+def _span(rule: Rule, unit: Unit, numbers: CounterRng) -> MovementPhases:
     timing = rule.timing
     tempo = synchrony().duration_at(unit.rate)
     onset, offset = timing.onset * tempo, timing.offset * tempo
@@ -209,7 +209,7 @@ def _span(rule: Rule, unit: Unit, numbers: Counted) -> MovementPhases:
     return MovementPhases(start, start + onset, release, release + offset)
 
 
-def _anchored(at: RuleAnchor, unit: Unit, numbers: Counted) -> float:
+def _anchored(at: RuleAnchor, unit: Unit, numbers: CounterRng) -> float:
     """Return the time of an anchor; one within the unit is drawn from the event's `numbers`."""
     if at is RuleAnchor.ANYWHERE:
         return unit.start + numbers.uniform("place") * (unit.end - unit.start)

@@ -19,11 +19,11 @@ _UNIT = 2.0**-_BITS
 _words = Struct("<QQ").unpack
 
 
-class Counted:
+class CounterRng:
     """The random numbers of a seed whose keys begin with `key`.
 
     Every number is a keyed hash (BLAKE2b), so that numbers of different keys are independent.
-    `Counted(7, "a").uniform("b", 3)` and `Counted(7).uniform("a", "b", 3)` are the same number.
+    `CounterRng(7, "a").uniform("b", 3)` and `CounterRng(7).uniform("a", "b", 3)` are the same number.
     """
 
     __slots__ = ("_hash",)
@@ -31,9 +31,9 @@ class Counted:
     def __init__(self, seed: int, *key: Key) -> None:
         self._hash = blake2b(_encoded((seed, *key)), digest_size=16)
 
-    def under(self, *key: Key) -> Counted:
+    def under(self, *key: Key) -> CounterRng:
         """Return the numbers whose keys go on with `key`."""
-        longer = Counted.__new__(Counted)
+        longer = CounterRng.__new__(CounterRng)
         longer._hash = self._hash.copy()
         longer._hash.update(_encoded(key))
         return longer
