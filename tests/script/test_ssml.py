@@ -4,7 +4,7 @@ import warnings
 
 import pytest
 
-from risorius.core.manner import Manner
+from risorius.core.voice_style import VoiceAdjustment
 from risorius.errors import RisoriusError, SpeechWarning
 from risorius.script.ssml import parse_ssml
 from risorius.script.tree import ScriptWarning
@@ -106,15 +106,15 @@ def test_the_words(inside: str, text: str) -> None:
 @pytest.mark.parametrize(
     ("attributes", "manner"),
     [
-        ('rate="slow"', Manner(rate=0.75)),
-        ('rate="80%"', Manner(rate=0.8)),
-        ('rate="+20%"', Manner(rate=1.2)),
-        ('pitch="+2st" volume="-6dB"', Manner(pitch=2.0, volume=-6.0)),
-        ('pitch="+100%"', Manner(pitch=12.0)),
-        ('pitch="x-high" range="x-low" volume="loud"', Manner(pitch=5.0, range=0.3, volume=4.0)),
+        ('rate="slow"', VoiceAdjustment(rate=0.75)),
+        ('rate="80%"', VoiceAdjustment(rate=0.8)),
+        ('rate="+20%"', VoiceAdjustment(rate=1.2)),
+        ('pitch="+2st" volume="-6dB"', VoiceAdjustment(pitch=2.0, volume=-6.0)),
+        ('pitch="+100%"', VoiceAdjustment(pitch=12.0)),
+        ('pitch="x-high" range="x-low" volume="loud"', VoiceAdjustment(pitch=5.0, range=0.3, volume=4.0)),
     ],
 )
-def test_prosody(attributes: str, manner: Manner) -> None:
+def test_prosody(attributes: str, manner: VoiceAdjustment) -> None:
     (span,) = parse_ssml(f"<speak>a <prosody {attributes}>b</prosody></speak>").lines[0].directions.spans
     assert (span.start, span.end) == (2, 3)
     assert span.manner == manner

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from ..errors import Place
-from .manner import PLAIN, Manner
+from .voice_style import PLAIN, VoiceAdjustment
 
 
 class Emphasis(StrEnum):
@@ -34,7 +34,7 @@ class DirectedSpan:
     start: int
     end: int
     place: Place
-    manner: Manner = PLAIN
+    manner: VoiceAdjustment = PLAIN
     emphasis: Emphasis | None = None
     phones: tuple[str, ...] = ()
     seconds: tuple[float, ...] = ()

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Annotated
 
-from ..core.manner import PLAIN, Manner
+from ..core.voice_style import PLAIN, VoiceAdjustment
 from ..reading.hints import Range
 from .emotions import emotion
 from .load import load
@@ -25,10 +25,10 @@ class VoiceChange:
     volume: Annotated[float, Range(-20.0, 12.0)]
     pauses: VoiceFactor
 
-    def manner(self, intensity: float) -> Manner:
+    def manner(self, intensity: float) -> VoiceAdjustment:
         """Return the changes at `intensity` 0..1; each is linear in it."""
         rate, span, pauses = (1.0 + intensity * (full - 1.0) for full in (self.rate, self.range, self.pauses))
-        return Manner(rate, intensity * self.pitch, span, intensity * self.volume, pauses)
+        return VoiceAdjustment(rate, intensity * self.pitch, span, intensity * self.volume, pauses)
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +43,7 @@ class VoiceEmotions:
     surprise: VoiceChange
 
 
-def voice_manner(intensities: Mapping[str, float]) -> Manner:
+def voice_manner(intensities: Mapping[str, float]) -> VoiceAdjustment:
     """Return the manner of a voice under emotions by name or alias, each with its intensity 0..1.
 
     Of several, each counts by its share if their intensities add up to more than 1. Raises ParameterError

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from itertools import accumulate, zip_longest
 
 from ..core.directions import DirectedSpan, Directions, ToneMark
-from ..core.manner import PLAIN, Manner
 from ..core.tobi import boundary_tone, pitch_accent
+from ..core.voice_style import PLAIN, VoiceAdjustment
 from ..errors import InputError, ParameterError, Place
 from ..languages import language_of
 from ..languages.intonation import Voicing
@@ -199,9 +199,9 @@ def _accented(placed: Sequence[tuple[int, int, Item]], tune: Tune) -> list[tuple
     return marked if tune.accents else []
 
 
-def _sounding(label: str) -> Manner:
+def _sounding(label: str) -> VoiceAdjustment:
     semitones = _voicing().accents.get(label, 0.0)
-    return Manner(pitch=semitones) if semitones else PLAIN
+    return VoiceAdjustment(pitch=semitones) if semitones else PLAIN
 
 
 def _punctuation(boundary: str, last: str) -> str:

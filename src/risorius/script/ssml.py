@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from ..core.directions import Break, DirectedSpan, Directions, Emphasis, Sync
-from ..core.manner import PLAIN, Manner
+from ..core.voice_style import PLAIN, VoiceAdjustment
 from ..errors import InputError, RisoriusError
 from ..rules.ssml import ssml_table
 from .amounts import decibels, factor, read_seconds, semitones
@@ -128,7 +128,7 @@ def _emphasis(writer: SsmlWriter, node: XmlNode) -> None:
 
 def _prosody(writer: SsmlWriter, node: XmlNode) -> None:
     table = ssml_table()
-    manner = Manner(
+    manner = VoiceAdjustment(
         rate=factor(node, "rate", table.rate),
         pitch=semitones(writer.unknowns, node, table.pitch),
         range=factor(node, "range", table.range),

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from itertools import groupby
 
 from ..core.directions import DirectedSpan
-from ..core.manner import PLAIN, Manner
 from ..core.utterance import Word
+from ..core.voice_style import PLAIN, VoiceAdjustment
 from ..languages import Language
 from ..rules.emotions import Display
 from ..rules.voice_emotion import voice_manner
@@ -58,7 +58,7 @@ def _displayed(display: Display) -> Feeling:
     return Feeling({display.emotion: display.intensity}, start, end)
 
 
-def common_manner(felt: Sequence[Feeling]) -> Manner | None:
+def common_manner(felt: Sequence[Feeling]) -> VoiceAdjustment | None:
     """Return the manner of the whole if the emotions colour all of it, else None."""
     if not all(feeling.throughout for feeling in felt):
         return None
@@ -81,12 +81,14 @@ def written_words(script: Script, language: Language) -> tuple[Word, ...]:
     )
 
 
-def _coloured_line(line: SpokenLine, words: Sequence[Word], manners: Sequence[Manner]) -> SpokenLine:
+def _coloured_line(line: SpokenLine, words: Sequence[Word], manners: Sequence[VoiceAdjustment]) -> SpokenLine:
     spans = tuple(_spans(line, words, manners))
     return replace(line, directions=replace(line.directions, spans=(*spans, *line.directions.spans)))
 
 
-def _spans(line: SpokenLine, words: Sequence[Word], manners: Sequence[Manner]) -> Iterator[DirectedSpan]:
+def _spans(
+    line: SpokenLine, words: Sequence[Word], manners: Sequence[VoiceAdjustment]
+) -> Iterator[DirectedSpan]:
     first, last = line.source_offset, line.source_offset + len(line.text)
     inside = [(w, m) for w, m in zip(words, manners, strict=True) if first <= w.source_start < last]
     for manner, group in groupby(inside, key=lambda pair: pair[1]):
@@ -95,7 +97,7 @@ def _spans(line: SpokenLine, words: Sequence[Word], manners: Sequence[Manner]) -
             yield DirectedSpan(run[0].source_start - first, run[-1].source_end - first, line.place, manner)
 
 
-def _manner(felt: Sequence[Feeling]) -> Manner:
+def _manner(felt: Sequence[Feeling]) -> VoiceAdjustment:
     intensities: dict[str, float] = {}
     for feeling in felt:
         for name, value in feeling.intensities.items():

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from ..core.directions import UNDIRECTED, DirectedSpan, Directions
-from ..core.manner import PLAIN, Manner
+from ..core.voice_style import PLAIN, VoiceAdjustment
 from ..errors import InputError, Place, SpeechWarning, warn
 from ..languages import Language, language_of
 from .assembly.assemble import LINE_PAUSE, PreparedLine, SpokenPart
@@ -38,7 +38,7 @@ class Speaker:
     voice: Voice
     rate: int | None = None
     pitch: int | None = None
-    manner: Manner = PLAIN
+    manner: VoiceAdjustment = PLAIN
     spoken: KnownRenditions | None = None
     progress: Callable[[float], None] | None = None
 
@@ -145,6 +145,7 @@ def _answering(text: str, tokens: Sequence[Token], directions: Directions, langu
     pitch = raised(context, words, language)
     here = Place("text")
     spans = tuple(
-        DirectedSpan(tokens[i].start, tokens[i].end, here, Manner(pitch=pitch[i])) for i in sorted(pitch)
+        DirectedSpan(tokens[i].start, tokens[i].end, here, VoiceAdjustment(pitch=pitch[i]))
+        for i in sorted(pitch)
     )
     return replace(directions, spans=(*spans, *directions.spans))

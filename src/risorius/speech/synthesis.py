@@ -9,9 +9,9 @@ from functools import partial
 
 from ..core.choices import LEAD, RATES, SILENCES, TAIL
 from ..core.directions import UNDIRECTED, Directions
-from ..core.manner import PLAIN, Manner
 from ..core.progress import Progress, quiet
 from ..core.utterance import Utterance
+from ..core.voice_style import PLAIN, VoiceAdjustment
 from ..errors import InputError, ParameterError, Place, SpeechError
 from ..script import Script
 from .affect import Feeling, coloured, common_manner, written_words
@@ -92,7 +92,7 @@ def synthesize_line(
     pitch: int | None = None,
     lead: float = 0.0,
     tail: float = 0.0,
-    manner: Manner = PLAIN,
+    manner: VoiceAdjustment = PLAIN,
     directions: Directions = UNDIRECTED,
     engine: SpeechEngine | None = None,
     progress: Callable[[float], None] | None = None,
@@ -191,7 +191,7 @@ def _built(spoken: SpokenText, speaker: Speaker) -> Utterance:
     return build_utterance(text, speaker.voice.language, audio, phones, words, lines)
 
 
-def _pitch(speaker: Speaker, manner: Manner | None) -> float | None:
+def _pitch(speaker: Speaker, manner: VoiceAdjustment | None) -> float | None:
     """Return the mean pitch of the speech in Hz, None if that of the voice is not known."""
     hertz, semitones = speaker.mean_pitch, 0.0 if manner is None else manner.pitch
     return None if hertz is None else hertz * 2.0 ** (semitones / _SEMITONES)

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from risorius.core.manner import Manner
+from risorius.core.voice_style import VoiceAdjustment
 from risorius.errors import RisoriusError, SpeechWarning
 from risorius.rules.articulation import is_known
 from risorius.script import read_script
@@ -108,7 +108,9 @@ def test_pipers_pace_follows_the_rate(tmp_path: Path, monkeypatch: pytest.Monkey
     monkeypatch.setenv("RISORIUS_PIPER", executable(tmp_path, voices.PIPER))
     engine = load_voice_file(piper_model(tmp_path))
     voice = engine.voices()[0]
-    usual, slow = (engine.synthesize(SpeechRequest(TEXT, voice, manner=Manner(rate=r))) for r in (1.0, 0.7))
+    usual, slow = (
+        engine.synthesize(SpeechRequest(TEXT, voice, manner=VoiceAdjustment(rate=r))) for r in (1.0, 0.7)
+    )
     assert len(slow.samples) > 1.3 * len(usual.samples)
 
 

@@ -15,7 +15,7 @@ from xml.sax.saxutils import escape, quoteattr
 
 from ...core.choices import RATES
 from ...core.directions import Break, DirectedSpan, Emphasis
-from ...core.manner import PLAIN, Manner
+from ...core.voice_style import PLAIN, VoiceAdjustment
 from ...errors import SpeechWarning, warn
 from ...languages import Language
 from .mnemonics import dictated
@@ -45,7 +45,7 @@ class Encoded(NamedTuple):
 
 
 class _Style(NamedTuple):
-    manner: Manner
+    manner: VoiceAdjustment
     emphasis: Emphasis | None
     voice: DirectedSpan | None
     dictated: DirectedSpan | None
@@ -152,7 +152,7 @@ def _tags(style: _Style, find: FindVoice) -> tuple[str, str]:
     return "".join(tags), closing
 
 
-def _prosody(manner: Manner) -> str:
+def _prosody(manner: VoiceAdjustment) -> str:
     pitch = round(100.0 * PITCH_PER_SEMITONE * manner.pitch / USUAL_PITCH)
     return (
         f'<prosody rate="{round(100.0 * manner.rate)}%" pitch="{pitch:+d}%" '

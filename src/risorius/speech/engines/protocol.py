@@ -8,7 +8,7 @@ from typing import NamedTuple, Protocol
 
 from ...core.audio import Samples
 from ...core.directions import Break, DirectedSpan
-from ...core.manner import PLAIN, Manner
+from ...core.voice_style import PLAIN, VoiceAdjustment
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +45,7 @@ class SpeechRequest:
     rate: int | None = None
     pitch: int | None = None
     end_pause: bool = False
-    manner: Manner = PLAIN
+    manner: VoiceAdjustment = PLAIN
     directions: tuple[DirectedSpan | Break, ...] = ()
 
 

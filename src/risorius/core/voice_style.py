@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
-class Manner:
+class VoiceAdjustment:
     """Changes of a voice: factors of rate, range of pitch and pauses, semitones of pitch, dB of loudness."""
 
     rate: float = 1.0
@@ -15,9 +15,9 @@ class Manner:
     volume: float = 0.0
     pauses: float = 1.0
 
-    def then(self, other: Manner) -> Manner:
+    def then(self, other: VoiceAdjustment) -> VoiceAdjustment:
         """Return both changes as one; the order does not matter."""
-        return Manner(
+        return VoiceAdjustment(
             self.rate * other.rate,
             self.pitch + other.pitch,
             self.range * other.range,
@@ -26,4 +26,4 @@ class Manner:
         )
 
 
-PLAIN = Manner()
+PLAIN = VoiceAdjustment()
