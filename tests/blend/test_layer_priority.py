@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from risorius.blend import Plan, combine, explain
+from risorius.core.antagonists import antagonist_pairs, without_antagonists
 from risorius.core.movement import Movement
-from risorius.core.rivalry import rival_pairs, without_rivals
 from risorius.core.score import BlendSettings, Score
 
 SMILE, CORNERS = "zygomatic_major.left", "triangularis.left"
@@ -24,10 +24,10 @@ def performed(*movements: Movement, policy: str = "inhibit") -> dict[str, np.nda
 
 
 def test_rivals_in_one_movement_sum_to_one_at_most() -> None:
-    assert without_rivals({SMILE: 1.0, CORNERS: 1.0}) == {SMILE: 1.0, CORNERS: 0.0}
-    assert without_rivals({SMILE: 0.3, CORNERS: 0.9}) == {SMILE: pytest.approx(0.1), CORNERS: 0.9}
-    assert without_rivals({SMILE: 0.5, CORNERS: 0.5}) == {SMILE: 0.5, CORNERS: 0.5}
-    assert list(rival_pairs({SMILE: 1.0, "triangularis.right": 1.0})) == []
+    assert without_antagonists({SMILE: 1.0, CORNERS: 1.0}) == {SMILE: 1.0, CORNERS: 0.0}
+    assert without_antagonists({SMILE: 0.3, CORNERS: 0.9}) == {SMILE: pytest.approx(0.1), CORNERS: 0.9}
+    assert without_antagonists({SMILE: 0.5, CORNERS: 0.5}) == {SMILE: 0.5, CORNERS: 0.5}
+    assert list(antagonist_pairs({SMILE: 1.0, "triangularis.right": 1.0})) == []
     curves = performed(layer("both", 1.0, {SMILE: 1.0, CORNERS: 1.0}))
     assert curves[SMILE].max() == 1.0
     assert curves[CORNERS].max() == 0.0

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import defaultdict
 from dataclasses import replace
 
+from ..core.antagonists import antagonist_pairs, without_antagonists
 from ..core.movement import Movement
-from ..core.rivalry import rival_pairs, without_rivals
 from ..core.score import Score
 from .concatenate import LayerCurves, concatenate
 from .layer_priority import LayerKey
@@ -53,6 +53,6 @@ class CompiledLayers:
 def _without_rivals(movement: Movement, conflict: str) -> Movement:
     """Return a movement whose rivals sum to 1 at most; other systems, which `sum` stands for, leave them."""
     targets = movement.parameters
-    if conflict == "sum" or not any(rival_pairs(targets)):
+    if conflict == "sum" or not any(antagonist_pairs(targets)):
         return movement
-    return replace(movement, targets=without_rivals(targets))
+    return replace(movement, targets=without_antagonists(targets))

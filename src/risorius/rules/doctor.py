@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from ..core.action_units import resolve_targets
-from ..core.rivalry import rival_pairs
+from ..core.antagonists import antagonist_pairs
 from ..core.utterance import PauseKind, Question
 from ..errors import Place
 from .habits import Habit
@@ -92,7 +92,7 @@ def _problems(entry: RuleEntry, rule_set: RuleSet) -> Iterator[str]:
             yield "pauses itself"
     if rule.effect.look is not None and rule.effect.targets:
         yield "has a look and targets; the look alone goes to the eyes, the targets to its own channel"
-    for larger, smaller in rival_pairs(resolve_targets(rule.effect.targets)):
+    for larger, smaller in antagonist_pairs(resolve_targets(rule.effect.targets)):
         yield f"contracts {smaller} beside its rival {larger}; expected at most 1 of both together"
     if not rule.source.strip() or not rule.comment.strip():
         yield "lacks a source or a comment"

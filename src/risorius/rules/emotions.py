@@ -13,8 +13,8 @@ from types import MappingProxyType
 from typing import Annotated, Any
 
 from ..core.action_units import check_intensity, kept_units, resolve_targets
+from ..core.antagonists import antagonist_pairs
 from ..core.functions import FunctionName
-from ..core.rivalry import rival_pairs
 from ..core.units import MAX_SECONDS, RiseSeconds, Seconds, Share
 from ..errors import InputError, ParameterError, unknown
 from ..reading.frozen import FrozenDict
@@ -74,7 +74,7 @@ class Emotion:
 
     def __post_init__(self) -> None:
         for units in (self.units, self.emblem.units):
-            for larger, smaller in rival_pairs(resolve_targets(units)):
+            for larger, smaller in antagonist_pairs(resolve_targets(units)):
                 raise InputError(
                     f"{smaller} conflicts with {larger}, and together they are above 1; expected 1 at most"
                 )

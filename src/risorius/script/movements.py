@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from ..core.action_units import in_parameters
+from ..core.antagonists import antagonist_pairs
 from ..core.channels import ChannelTiming, channel_timing
 from ..core.movement import Cause, Movement
-from ..core.rivalry import rival_pairs
 from ..core.time import on_tick
 from ..core.utterance import Word
 from ..errors import InputError, warn
@@ -56,7 +56,7 @@ def movements_of(script: Script, words: Sequence[Word], duration: float) -> tupl
 def _warn_of_rivals(mark: Mark) -> None:
     """Warn of the conflicting targets that a mark names; those of emotions are blended by their tables."""
     said: set[str] = set()
-    for larger, smaller in rival_pairs({} if mark.emotions else in_parameters(mark.targets)):
+    for larger, smaller in antagonist_pairs({} if mark.emotions else in_parameters(mark.targets)):
         names = [name.partition(".")[0] for name in (smaller, larger)]
         left = max(1.0 - in_parameters(mark.targets)[larger], 0.0)
         said.add(f"{mark.place}: {mark.label}: {names[0]} conflicts with {names[1]}; it is held to {left:g}")

@@ -1,4 +1,4 @@
-"""Rivals among the targets of one movement: muscles that conflict and are contracted together."""
+"""Antagonists among the targets of one movement: muscles that conflict and are contracted together."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .parameters import RIVALS
 _ROUNDING = 1e-9
 
 
-def rival_pairs(targets: Mapping[str, float]) -> Iterator[tuple[str, str]]:
+def antagonist_pairs(targets: Mapping[str, float]) -> Iterator[tuple[str, str]]:
     """Yield the larger and the smaller of all conflicting targets that sum above 1; of equals the first is
     the larger.
 
@@ -23,11 +23,11 @@ def rival_pairs(targets: Mapping[str, float]) -> Iterator[tuple[str, str]]:
                 yield (one, other) if targets[one] >= targets[other] else (other, one)
 
 
-def without_rivals(targets: Mapping[str, float]) -> dict[str, float]:
+def without_antagonists(targets: Mapping[str, float]) -> dict[str, float]:
     """Return targets in which of conflicting ones the smaller is at most 1 less the larger (paper A, section
     2: a channel holds only movements that do not conflict).
     """
     held = dict(targets)
-    for larger, smaller in rival_pairs(targets):
+    for larger, smaller in antagonist_pairs(targets):
         held[smaller] = min(held[smaller], max(1.0 - targets[larger], 0.0))
     return held
