@@ -12,7 +12,7 @@ from .settings.declare import Stage
 from .unused_settings import values_read
 
 if TYPE_CHECKING:
-    from .core.links import Link
+    from .core.muscle_coupling import Link
     from .face.solve import FaceSolver
 
 _STAGES = (Stage.HEAD, Stage.SHAPE, Stage.SKIN)
@@ -20,8 +20,8 @@ _STAGES = (Stage.HEAD, Stage.SHAPE, Stage.SKIN)
 
 def make_solver(settings: Settings) -> FaceSolver:
     """Return a solver for the head, wrinkles and skin that settings choose; HeadError as `head_of`."""
+    from .face.head.coupled_muscles import Links
     from .face.head.head import head_of
-    from .face.head.links import Links
     from .face.solve import FaceSolver
 
     head, links = head_of(settings), Links.of(links_of(settings))
@@ -31,8 +31,8 @@ def make_solver(settings: Settings) -> FaceSolver:
 
 def links_of(settings: Settings) -> tuple[Link, ...]:
     """Return the links of muscles of the head that settings choose, as their rules change them."""
+    from .face.head.coupled_muscles import link_rows
     from .face.head.head import head_of
-    from .face.head.links import link_rows
     from .rules.rule_set import rule_set_of
 
     rows = link_rows(head_of(settings).links_file)

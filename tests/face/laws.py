@@ -9,7 +9,7 @@ import numpy as np
 from risorius.face.contact.contact import Contacts, find_contacts
 from risorius.face.contact.lids import FRONT
 from risorius.face.contact.mouth import Mouth, TeethEdge
-from risorius.face.head.links import NO_LINKS
+from risorius.face.head.coupled_muscles import NO_LINKS
 from risorius.face.muscles.muscles import ELSEWHERE
 from risorius.face.solve import FaceSolver
 from risorius.looks.eyeball import IRIS

@@ -15,9 +15,9 @@ from PIL import Image
 from risorius.api import load, mix
 from risorius.batches.manifest import Manifest
 from risorius.errors import HeadError, RisoriusError
+from risorius.face.head.coupled_muscles import LinkTable
 from risorius.face.head.head_file import HeadFile
 from risorius.face.head.identity import read_identity
-from risorius.face.head.links import LinkTable
 from risorius.face.head.muscle_table import load_muscles
 from risorius.live.stream.receiver_socket import parse_address
 from risorius.machine.npz import read_arrays

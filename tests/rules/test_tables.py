@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 import risorius
-from risorius.core.links import Link
+from risorius.core.muscle_coupling import Link
 from risorius.errors import InputError, RisoriusError
-from risorius.face.head.links import link_rows
+from risorius.face.head.coupled_muscles import link_rows
 from risorius.rules.doctor import examine
 from risorius.rules.emotions import emotion, emotion_names, emotions
 from risorius.rules.lips import lip_table

@@ -22,9 +22,9 @@ from .contact.lids import both_lids
 from .contact.lips import Lips
 from .contact.teeth import Teeth
 from .frame import FaceFrame, FrameBuffers
+from .head.coupled_muscles import Links, load_links
 from .head.eyes import eye_rotations, pitch_and_yaw
 from .head.head import Head
-from .head.links import Links, load_links
 from .muscles.crowding import Crowding
 from .muscles.jaw import Jaw
 from .muscles.muscles import DisplacedSkin, MuscleFields, put_at

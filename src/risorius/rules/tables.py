@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import Any
 
-from ..core.links import Link
+from ..core.muscle_coupling import Link
 from ..core.parameters import MUSCLES
 from ..errors import InputError, ParameterError, unknown
 from ..reading.schema import build

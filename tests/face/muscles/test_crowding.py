@@ -3,8 +3,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from risorius.face.head.coupled_muscles import NO_LINKS
 from risorius.face.head.head import load_head
-from risorius.face.head.links import NO_LINKS
 from risorius.face.muscles.crowding import (
     LEAST,
     STEEPEST,

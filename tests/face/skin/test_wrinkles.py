@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.errors import InputError
-from risorius.face.head.links import NO_LINKS
+from risorius.face.head.coupled_muscles import NO_LINKS
 from risorius.face.head.marks import Marks
 from risorius.face.skin.regions import place_regions, region_names, regions
 from risorius.face.skin.wrinkles import FLAT, LOW, Wrinkles, capped, fold_height

@@ -12,7 +12,7 @@ import pytest
 
 from risorius.core.arrays import Array
 from risorius.face.contact.lids import _aim
-from risorius.face.head.links import _apply
+from risorius.face.head.coupled_muscles import _apply
 from risorius.face.muscles.jaw import turn_about
 from risorius.face.numerics.far_vertices import _leave
 from risorius.face.numerics.products import SparseRows, _times, without_fourth

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from risorius.errors import RisoriusError
-from risorius.face.head.links import _apply
+from risorius.face.head.coupled_muscles import _apply
 from risorius.machine import cache_folder
 from risorius.machine.kernels import store
 from risorius.machine.kernels.build import import_all

@@ -19,10 +19,10 @@ from . import ages as age_file
 from . import identity as identity_file
 from .ages import AgeShapes, check_age, read_ages
 from .anatomy import Skin, anatomical_fields, load_pulls
+from .coupled_muscles import link_rows
 from .head_file import FORMAT, HeadFile
 from .head_folder import head_file, heads_folder, shipped_heads
 from .identity import UNNAMED, Identity, read_identity
-from .links import link_rows
 from .muscle_table import FILE as MUSCLE_TABLE
 from .muscle_table import Muscle, links_of, load_muscles
 from .sliders import check_sliders, load_sliders

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated, Literal
 
-from ...core.links import Link
+from ...core.muscle_coupling import Link
 from ...core.parameters import MUSCLES
 from ...errors import HeadError, ParameterError, Place, unknown
 from ...reading.hints import Range

@@ -14,7 +14,7 @@ import numpy as np
 from ...core.arrays import Array, IndexArray, UInt32Array, UIntArray
 from ...core.parameters import NAMES
 from ...machine.kernels.jit import device, kernel
-from ..head.links import NO_LINKS, Links
+from ..head.coupled_muscles import NO_LINKS, Links
 from ..muscles.muscles import AT_ONCE, DisplacedSkin, MuscleFields
 from ..numerics.cholesky import substitute
 from ..numerics.stiffness import REST

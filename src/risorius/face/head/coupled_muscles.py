@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 from ...core.arrays import Array, UInt32Array
-from ...core.links import Link
+from ...core.muscle_coupling import Link
 from ...core.parameters import INDEX
 from ...machine.kernels.jit import kernel
 from ...reading.toml import load_file

@@ -5,10 +5,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.core.links import Link
+from risorius.core.muscle_coupling import Link
 from risorius.core.parameters import INDEX, MUSCLES, NEUTRAL, RIVALS
 from risorius.errors import InputError, ParameterError
-from risorius.face.head.links import NO_LINKS, Links, load_links
+from risorius.face.head.coupled_muscles import NO_LINKS, Links, load_links
 from risorius.face.solve import FaceSolver
 from tests.profiles import examples
 
