@@ -14,10 +14,10 @@ from risorius.rules.modulation import Modulation, rate_of, size_of
 from risorius.rules.resolve import resolve
 from risorius.rules.rule import Level, Rule
 from risorius.rules.rule_set import extended, shipped
+from risorius.rules.rule_span import RuleSpan
+from risorius.rules.rule_spans import RuleSpans
 from risorius.rules.situation import Situation
 from risorius.rules.synchrony import MovementPhases, nearest, snapped, synchrony
-from risorius.rules.unit import Unit
-from risorius.rules.units import Units
 from risorius.speech.synthesis import synthesize_line
 
 Maker = Callable[..., Utterance]
@@ -31,8 +31,8 @@ def rule_of(text: str, name: str = "signals.brows.mine") -> Rule:
     return extended(shipped(), given, "my.toml").get(name).rule
 
 
-def units_of(said: Utterance, **more: object) -> Units:
-    return Units(Situation(said.duration, said, **more))  # type: ignore[arg-type]
+def units_of(said: Utterance, **more: object) -> RuleSpans:
+    return RuleSpans(Situation(said.duration, said, **more))  # type: ignore[arg-type]
 
 
 def events(rules: Sequence[Rule], said: Utterance, **more: object) -> list[Event]:
@@ -85,7 +85,7 @@ def test_items_are_syllables_in_slow_speech_and_words_else(sentence_of: Maker) -
 
 
 def test_where_nothing_is_said_only_moments_pass() -> None:
-    units = Units(Situation(3.0))
+    units = RuleSpans(Situation(3.0))
     assert [u.start for u in units.of(Level.MOMENT)] == [0.0, 1.0, 2.0]
     assert all(units.of(level) == () for level in Level if level is not Level.MOMENT)
 
@@ -247,7 +247,7 @@ def test_of_two_that_start_together_the_larger_stays(sentence_of: Maker) -> None
 
 
 def test_units_know_where_they_stand(sentence_of: Maker) -> None:
-    words: tuple[Unit, ...] = units_of(sentence_of("One two[H*] three. Four.")).of(Level.WORD)
+    words: tuple[RuleSpan, ...] = units_of(sentence_of("One two[H*] three. Four.")).of(Level.WORD)
     assert [str(u.position) for u in words] == ["first", "inner", "last", "only"]
     assert words[1].accented == words[1].start
     assert [u.pause is None for u in words] == [True, True, False, False]

@@ -13,8 +13,8 @@ from ..rules.match import Event, felt_modulations
 from ..rules.modulation import Modulation
 from ..rules.profiles import NEUTRAL, Attitude, Profile, profile
 from ..rules.rule_set import RuleSet, shipped
+from ..rules.rule_spans import RuleSpans
 from ..rules.situation import Situation
-from ..rules.units import Units
 
 
 @dataclass(frozen=True)
@@ -47,9 +47,9 @@ class ChannelInputs:
         return Situation(self.duration, self.utterance, felt, self.listening)
 
     @cached_property
-    def units(self) -> Units:
+    def units(self) -> RuleSpans:
         """The stretches that rules are tried on."""
-        return Units(self.situation)
+        return RuleSpans(self.situation)
 
     @cached_property
     def modulations(self) -> tuple[Modulation, ...]:

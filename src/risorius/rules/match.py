@@ -15,9 +15,9 @@ from .emotions import emotion, emotion_key
 from .markup import markup_table
 from .modulation import Modulation, rate_of, size_of
 from .rule import ANY, NOTHING_FELT, Level, Rule, RuleAnchor, When
+from .rule_span import RuleSpan
+from .rule_spans import RuleSpans
 from .synchrony import MovementPhases, ended_in_pause, snapped, synchrony
-from .unit import Unit
-from .units import Units
 
 LIDS = tuple(p.name for p in parameters_named("orbicularis_oculi_palpebralis"))
 HEAD = tuple(p.name for p in PARAMETERS if p.kind is Kind.HEAD)
@@ -34,7 +34,7 @@ class Event:
     """The event that a rule makes of a unit. `targets`: its own, scaled; `size`: how far its gesture goes."""
 
     rule: Rule
-    unit: Unit
+    unit: RuleSpan
     span: MovementPhases
     targets: Mapping[str, float]
     size: float
@@ -53,13 +53,13 @@ class Event:
         return frozenset(names)
 
 
-Condition = Callable[[Unit], object]
+Condition = Callable[[RuleSpan], object]
 """Returns of a unit what is true if it meets one condition."""
 
 
 def events_of(
     rules: Iterable[Rule],
-    units: Units,
+    units: RuleSpans,
     numbers: CounterRng,
     *,
     modulations: Sequence[Modulation] = (),
@@ -76,10 +76,10 @@ def events_of(
 
 
 def _matched(
-    rule: Rule, units: Units, numbers: CounterRng, modulations: Sequence[Modulation], side: float
+    rule: Rule, units: RuleSpans, numbers: CounterRng, modulations: Sequence[Modulation], side: float
 ) -> Iterator[Event]:
     rate = rate_of(rule.id, modulations)
-    fitting: Iterable[Unit] = units.of(rule.level)
+    fitting: Iterable[RuleSpan] = units.of(rule.level)
     for condition in conditions(rule.when):
         fitting = filter(condition, fitting)
     for unit in fitting:
@@ -150,7 +150,7 @@ def _canonical(name: str) -> str:
 
 
 def _event(
-    rule: Rule, unit: Unit, units: Units, span: MovementPhases, size: float, *, mirrored: bool
+    rule: Rule, unit: RuleSpan, units: RuleSpans, span: MovementPhases, size: float, *, mirrored: bool
 ) -> Event:
     if not rule.effect.grouped:
         size *= synchrony().size_at(unit.rate)
@@ -195,7 +195,7 @@ def _range(parameter: str) -> tuple[float, float]:
     return PARAMETERS[INDEX[parameter]].low, PARAMETERS[INDEX[parameter]].high
 
 
-def _span(rule: Rule, unit: Unit, numbers: CounterRng) -> MovementPhases:
+def _span(rule: Rule, unit: RuleSpan, numbers: CounterRng) -> MovementPhases:
     timing = rule.timing
     tempo = synchrony().duration_at(unit.rate)
     onset, offset = timing.onset * tempo, timing.offset * tempo
@@ -209,7 +209,7 @@ def _span(rule: Rule, unit: Unit, numbers: CounterRng) -> MovementPhases:
     return MovementPhases(start, start + onset, release, release + offset)
 
 
-def _anchored(at: RuleAnchor, unit: Unit, numbers: CounterRng) -> float:
+def _anchored(at: RuleAnchor, unit: RuleSpan, numbers: CounterRng) -> float:
     """Return the time of an anchor; one within the unit is drawn from the event's `numbers`."""
     if at is RuleAnchor.ANYWHERE:
         return unit.start + numbers.uniform("place") * (unit.end - unit.start)

@@ -12,7 +12,7 @@ from .synchrony import synchrony
 
 
 @dataclass(frozen=True, slots=True)
-class Unit:
+class RuleSpan:
     """A stretch of seconds [start, end] and its facts.
 
     `text`: how messages name it. `accented`: where its accented syllable begins, the nuclear one of several.

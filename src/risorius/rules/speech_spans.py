@@ -10,9 +10,9 @@ from typing import Any, Protocol
 from ..core.utterance import SILENCE, Accent, Pause, PauseKind, Utterance
 from .discourse import groups_of, rate_of_phrase, turns_of
 from .rule import Level, Position
+from .rule_span import RuleSpan
 from .situation import Situation
 from .synchrony import synchrony
-from .unit import Unit
 
 # Words of a stretch that messages show.
 _SHOWN = 8
@@ -42,7 +42,7 @@ class WordRange(TimeRange, Protocol):
         """The word after its last one."""
 
 
-class SpokenUnits:
+class SpeechSpans:
     """Makes the units of a situation in which something is said."""
 
     def __init__(self, said: Utterance, situation: Situation) -> None:
@@ -62,7 +62,7 @@ class SpokenUnits:
 
     def _unit(
         self, level: Level, counts: Counter[int], spoken: TimeRange, text: str, word: int, **more: Any
-    ) -> Unit:
+    ) -> RuleSpan:
         """Return the unit that something spoken is, whose first word is number `word`.
 
         `counts` has how many units of the level came before it, by phrase.
@@ -74,7 +74,7 @@ class SpokenUnits:
         sentence = self.said.phrases[phrase].sentence
         number, counts[phrase] = counts[phrase], counts[phrase] + 1
         more.setdefault("question", self.said.phrases[phrase].question)
-        return Unit(
+        return RuleSpan(
             level, phrase, number, start, end, text,
             group=self._groups[sentence],
             rate=self._rates[phrase],
@@ -101,7 +101,7 @@ class SpokenUnits:
             return {}
         return {"boundary": self._boundary_of.get(word), "pause": _kind(self.said.pause_after(word))}
 
-    def phonemes(self) -> Iterator[Unit]:
+    def phonemes(self) -> Iterator[RuleSpan]:
         """Yield the spoken phones."""
         counts = Counter[int]()
         for index, phone in enumerate(self.said.phones):
@@ -120,7 +120,7 @@ class SpokenUnits:
 
     def syllables(
         self, level: Level = Level.SYLLABLE, phrases: Container[int] | None = None
-    ) -> Iterator[Unit]:
+    ) -> Iterator[RuleSpan]:
         """Yield the syllables, of some `phrases` or of all."""
         accents = {accent.syllable: accent for accent in self.said.accents}
         counts = Counter[int]()
@@ -140,7 +140,7 @@ class SpokenUnits:
                 **self._ending(s.word, place + 1 == count),
             )  # fmt: skip
 
-    def words(self, level: Level = Level.WORD, phrases: Container[int] | None = None) -> Iterator[Unit]:
+    def words(self, level: Level = Level.WORD, phrases: Container[int] | None = None) -> Iterator[RuleSpan]:
         """Yield the words, of some `phrases` or of all."""
         counts = Counter[int]()
         stresses: dict[int, int] = {}
@@ -166,7 +166,7 @@ class SpokenUnits:
             bisect_left(self._accented_words, first) : bisect_left(self._accented_words, last)
         ]
 
-    def items(self) -> Iterator[Unit]:
+    def items(self) -> Iterator[RuleSpan]:
         """Yield words, and the syllables of phrases that are spoken slowly (paper B, section 4.1)."""
         limit = synchrony().slow_rate
         slow = {number for number, rate in enumerate(self._rates) if rate < limit}
@@ -174,7 +174,7 @@ class SpokenUnits:
         units = [*self.syllables(Level.ITEM, slow), *self.words(Level.ITEM, fast)]
         yield from sorted(units, key=lambda unit: unit.start)
 
-    def stretches(self, level: Level) -> Iterator[Unit]:
+    def stretches(self, level: Level) -> Iterator[RuleSpan]:
         """Yield phrases, by their place in the utterance, utterances, by that in the turn, or turns."""
         stretches = self._stretches[level]
         positions = _positions(self._owner(level, s.first_word) for s in stretches)
@@ -210,7 +210,7 @@ class SpokenUnits:
         """Return which phrase, utterance or turn holds a word."""
         return bisect_right(self._first_words[level], word) - 1
 
-    def pauses(self) -> Iterator[Unit]:
+    def pauses(self) -> Iterator[RuleSpan]:
         """Yield the pauses."""
         pauses = self.said.pauses
         counts = Counter[int]()

@@ -7,23 +7,23 @@ from functools import cached_property
 
 from ..core.utterance import SENTENCE_ENDS
 from .rule import Level
+from .rule_span import RuleSpan
 from .situation import Situation
-from .spoken import SpokenUnits
-from .unit import Unit
+from .speech_spans import SpeechSpans
 
 # Seconds.
 MOMENT = 1.0
 
 
-class Units:
+class RuleSpans:
     """All units of a situation, by level."""
 
     def __init__(self, situation: Situation) -> None:
         self.situation = situation
         self._said = situation.utterance
-        self._made: dict[Level, tuple[Unit, ...]] = {}
+        self._made: dict[Level, tuple[RuleSpan, ...]] = {}
 
-    def of(self, level: Level) -> tuple[Unit, ...]:
+    def of(self, level: Level) -> tuple[RuleSpan, ...]:
         """Return the units of a level in order; none of those that speech has if nothing is said."""
         silent = self._said is None or not self._said.words
         if silent and level is not Level.MOMENT:
@@ -47,10 +47,10 @@ class Units:
         return tuple(p.start for p in pauses if p.kind in SENTENCE_ENDS)
 
     @cached_property
-    def _spoken(self) -> dict[Level, Callable[[], Iterator[Unit]]]:
+    def _spoken(self) -> dict[Level, Callable[[], Iterator[RuleSpan]]]:
         """The function that makes the units of each level of speech."""
         assert self._said is not None
-        spoken = SpokenUnits(self._said, self.situation)
+        spoken = SpeechSpans(self._said, self.situation)
         return {
             Level.PHONEME: spoken.phonemes,
             Level.SYLLABLE: spoken.syllables,
@@ -62,12 +62,12 @@ class Units:
             Level.PAUSE: spoken.pauses,
         }
 
-    def _moments(self) -> Iterator[Unit]:
+    def _moments(self) -> Iterator[RuleSpan]:
         s = self.situation
         for index in range(int(s.duration / MOMENT)):
             start = index * MOMENT
             middle = start + 0.5 * MOMENT
-            yield Unit(
+            yield RuleSpan(
                 Level.MOMENT, 0, index, start, start + MOMENT, f"{start:g} s",
                 emotions=s.emotions_at(middle), turn=s.turn_at(middle),
             )  # fmt: skip
