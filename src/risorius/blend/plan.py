@@ -21,6 +21,7 @@ from ..core.parameters import INDEX, NAMES, NEUTRAL
 from ..core.performance import Performance, frame_times
 from ..core.score import Score, check_score
 from . import mouth, policies  # noqa: F401 - models and policies register themselves
+from .action_unit_sums import ActionUnitSums
 from .channels import compile_channels
 from .concatenate import SIGNED
 from .conflict import POLICIES, Join, PolicyInputs
@@ -39,7 +40,6 @@ from .priority_curve import steady
 from .rounding import MORE, SAMPLES, SHARP, Rounding, SmoothingWindow
 from .sides import twins_of
 from .tuning import tune
-from .units import UnitSums
 
 TAKEN_OVER = 0.06
 """Share of a muscle's range over which the transition between speech and a display is rounded."""
@@ -80,7 +80,7 @@ class Plan:
         self.limits = SpeechLimits(self.lips.mouth, levels) if self.lips else None
         self.inputs = PolicyInputs(self.channels, self.tuning, self.limits)
         self.policy = policy(self.inputs)
-        self.units = UnitSums(score) if self.policy.join is Join.ADD else None
+        self.units = ActionUnitSums(score) if self.policy.join is Join.ADD else None
         limited = self.lips.mouth.limited if self.lips else frozenset()
         contacts = CONTACTS if self.lips else ()
         self.twins = twins_of(self.channels, self.lips)

@@ -32,7 +32,7 @@ class UnitPart:
     curve: MovementCurve
 
 
-class UnitSums:
+class ActionUnitSums:
     """The units that several channels of a score move, by the parameter that they contract."""
 
     def __init__(self, score: Score) -> None:
