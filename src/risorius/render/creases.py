@@ -7,8 +7,8 @@ from typing import Annotated, NamedTuple
 import numpy as np
 
 from ..core.arrays import Array, Float32Array, Int32Array, IntArray
+from ..face.head.face_coordinates import FaceCoordinates
 from ..face.head.head import Head
-from ..face.head.marks import Marks
 from ..face.skin.layouts import Dimples, Fold
 from ..face.skin.regions import PlacedRegion, place_regions
 from ..looks.noise import noise_at
@@ -41,7 +41,7 @@ class Creases(NamedTuple):
 
 def lay_creases(head: Head, triangles: int) -> Creases:
     """Place a head's wrinkle regions in a scene of `triangles` triangles that starts with the skin's."""
-    placed, unit = place_regions(head), Marks.of(head).unit
+    placed, unit = place_regions(head), FaceCoordinates.of(head).unit
     fine, faces = np.asarray(head.skin.matrix @ head.rest), head.skin.triangles
     covered = np.zeros(triangles, np.int32)
     for number, region in enumerate(placed):

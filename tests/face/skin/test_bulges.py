@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from risorius.face.head.face_coordinates import FaceCoordinates
 from risorius.face.head.head import load_head
-from risorius.face.head.marks import Marks
 from risorius.face.skin.bulges import TAKEN_UP, Bulges, bulge_height, bulges
 from risorius.face.solve import FaceSolver
 
@@ -61,7 +61,7 @@ def test_nothing_swells_at_rest(lift):
 
 @pytest.mark.parametrize("name", SWELL)
 def test_each_bulge_swells_under_its_muscles(name, lift, head, rest):
-    marks, bulge = Marks.of(head), bulges()[name]
+    marks, bulge = FaceCoordinates.of(head), bulges()[name]
     centre = (marks.mean(bulge.anchor) + np.array([*bulge.offset, 0.0])) * marks.unit
     near = np.linalg.norm(rest[:, :2] - centre[:2], axis=1) < max(bulge.size)
     heights = [lift({m: a * v for m, v in SWELL[name].items()})[near].max() for a in (0.25, 0.5, 1.0)]

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from risorius.face.head.marks import Marks, plateau, ripple
+from risorius.face.head.face_coordinates import FaceCoordinates, plateau, ripple
 from risorius.face.skin.layouts import Dimples, Fan, Fold, Lines
 
-MARKS = Marks(np.zeros((68, 3)), 1.0)
+MARKS = FaceCoordinates(np.zeros((68, 3)), 1.0)
 LINES = Lines(
     (0,), (0, 2, 0), (1, 0, 0), 3.0, 5.0, (1.0, 1.0, 1.0), (0, 1, 20, 21), (-20, -10, 10, 20), 0, 0, 0
 )

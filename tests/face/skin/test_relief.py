@@ -2,8 +2,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from risorius.face.head.face_coordinates import FaceCoordinates
 from risorius.face.head.head import load_head
-from risorius.face.head.marks import Marks
 from risorius.face.muscles.crowding import Distances, altitudes
 from risorius.face.skin.regions import place_regions
 from risorius.face.skin.relief import NARROWED, relief
@@ -24,7 +24,7 @@ CREASED = {
 
 def risen(head):
     """The rise (N1, 3) in mm of all folds together at their caps, along the normals at rest."""
-    placed, unit, rest = place_regions(head), Marks.of(head).unit, head.skin.matrix @ head.rest
+    placed, unit, rest = place_regions(head), FaceCoordinates.of(head).unit, head.skin.matrix @ head.rest
     inside = [p.zone.mask > 0.0 for p in placed]
     shares = np.split(relief(head, placed), np.cumsum([rows.sum() for rows in inside])[:-1])
     full, outwards = np.zeros(len(rest)), np.zeros_like(rest)

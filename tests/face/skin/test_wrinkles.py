@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from risorius.errors import InputError
 from risorius.face.head.coupled_muscles import NO_LINKS
-from risorius.face.head.marks import Marks
+from risorius.face.head.face_coordinates import FaceCoordinates
 from risorius.face.skin.regions import place_regions, region_names, regions
 from risorius.face.skin.wrinkles import FLAT, LOW, Wrinkles, capped, fold_height
 from risorius.face.solve import FaceSolver
@@ -216,7 +216,7 @@ def test_an_open_jaw_draws_the_folds_beside_the_nose_out(old):
 
 def test_the_fold_of_a_smile_runs_from_the_noses_wing_to_below_the_corner_of_the_mouth(young, rest):
     """A fold that ends beside the corner lies there as a dent of its own."""
-    placed, marks = place_regions(young.head)[INDEX["nasolabial"]], Marks.of(young.head)
+    placed, marks = place_regions(young.head)[INDEX["nasolabial"]], FaceCoordinates.of(young.head)
     heights = young.solve(values_of(SMILE)).wrinkles[:, INDEX["nasolabial"]]
     wing, corner = (marks.landmarks[k, 1] * marks.unit for k in (35, 54))
     on_crease = np.abs(placed.phase) < 0.06

@@ -16,8 +16,8 @@ from ...core.arrays import Array, UInt32Array
 from ...machine.kernels.jit import device, kernel
 from ...reading.frozen import FrozenDict
 from ...reading.toml import package_text, parse_rows
+from ..head.face_coordinates import FaceCoordinates
 from ..head.head import Head
-from ..head.marks import Marks
 from .compression import Compression, Zone
 from .layouts import Landmarks, Spacing, Vector, spot
 
@@ -51,7 +51,7 @@ class Bulges:
     """The bulges of one head; keeps a workspace."""
 
     def __init__(self, head: Head) -> None:
-        unit = Marks.of(head).unit
+        unit = FaceCoordinates.of(head).unit
         self._mask, compression = _swelling(head)
         self._compression = rows = compression.anew()
         self._depth, self._cap = (
@@ -70,7 +70,7 @@ class Bulges:
 @lru_cache(maxsize=4)
 def _swelling(head: Head) -> tuple[Array, Compression]:
     """Return the masks of all rows, and the measure of their compression."""
-    marks = Marks.of(head)
+    marks = FaceCoordinates.of(head)
     fine = head.skin.matrix @ head.rest
     shown = np.ones(len(fine))
     for name in _HIDDEN:
@@ -81,7 +81,7 @@ def _swelling(head: Head) -> tuple[Array, Compression]:
     return np.concatenate([zone.mask[zone.mask > 0.0] for zone in zones]), Compression.of(head, zones)
 
 
-def _mask(bulge: Bulge, marks: Marks, fine: Array) -> Array:
+def _mask(bulge: Bulge, marks: FaceCoordinates, fine: Array) -> Array:
     centre = marks.mean(bulge.anchor) + np.array([*bulge.offset, 0.0])
     mask = spot(marks.left_half(fine), centre, bulge.size)
     mask[mask < 1e-3] = 0.0

@@ -16,8 +16,8 @@ import scipy.sparse as sp
 from ...core.arrays import AnyArray, Array, IndexArray, UInt32Array, UIntArray
 from ...machine.array_cache import cached_arrays
 from ...machine.kernels.jit import device, kernel
+from ..head.face_coordinates import smooth
 from ..head.head import Head
-from ..head.marks import smooth
 from ..numerics.products import short
 
 STRETCHED = 1.05  # a larger stretch does not compensate for compression beside it

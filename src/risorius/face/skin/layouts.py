@@ -16,7 +16,7 @@ from ...core.units import Share
 from ...errors import InputError
 from ...machine.kernels.jit import kernel
 from ...reading.hints import Range, Then
-from ..head.marks import Marks, plateau, ripple, smooth
+from ..head.face_coordinates import FaceCoordinates, plateau, ripple, smooth
 
 
 def _some(anchor: tuple[int, ...]) -> tuple[int, ...]:
@@ -56,7 +56,7 @@ class Chart(NamedTuple):
 class Layout(Protocol):
     """A way to lay creases on a face."""
 
-    def chart(self, marks: Marks, places: Array) -> Chart:
+    def chart(self, marks: FaceCoordinates, places: Array) -> Chart:
         """Return the region on `places` (n, 3), points of the left half in the tables' mm."""
         ...
 
@@ -77,7 +77,7 @@ class Lines:
     wave: float
     breaks: Share
 
-    def chart(self, marks: Marks, places: Array) -> Chart:
+    def chart(self, marks: FaceCoordinates, places: Array) -> Chart:
         """Return the region on `places` (n, 3)."""
         offset = places - marks.mean(self.anchor)
         across, along = offset @ _unit(self.across), offset @ _unit(self.along)
@@ -104,7 +104,7 @@ class Fan:
     wave: float
     breaks: Share
 
-    def chart(self, marks: Marks, places: Array) -> Chart:
+    def chart(self, marks: FaceCoordinates, places: Array) -> Chart:
         """Return the region on `places` (n, 3)."""
         offset = places - marks.mean(self.anchor)
         outward, upward = _unit(self.outward), _unit(self.upward)
@@ -132,7 +132,7 @@ class Fold:
     muscles: tuple[str, ...] = ()
     gathers: Share = 0.0
 
-    def chart(self, marks: Marks, places: Array) -> Chart:
+    def chart(self, marks: FaceCoordinates, places: Array) -> Chart:
         """Return the region on `places` (n, 3); its phase is 0 on the crease, 1 where the far side ends."""
         knots = np.array([marks.landmarks[int(k), :2] + (x, y) for k, x, y in self.points])
         side, way = _beside(_curve(knots), places[:, :2])
@@ -153,7 +153,7 @@ class Dimples:
     muscle: str
     gathers: Share
 
-    def chart(self, marks: Marks, places: Array) -> Chart:
+    def chart(self, marks: FaceCoordinates, places: Array) -> Chart:
         """Return the region on `places` (n, 3); its phase is 0."""
         centre = marks.mean(self.anchor) + np.array([0.0, self.offset, 0.0])
         return Chart(

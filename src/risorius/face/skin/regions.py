@@ -14,8 +14,8 @@ from ...core.units import Share
 from ...errors import InputError, unknown
 from ...machine.array_cache import cached_arrays
 from ...reading.toml import package_text, parse_rows
+from ..head.face_coordinates import FaceCoordinates
 from ..head.head import Head
-from ..head.marks import Marks
 from .compression import Zone
 from .layouts import Dimples, Fan, Fold, Layout, Lines, Millimetres, Spacing
 
@@ -114,7 +114,7 @@ def check_factors(factors: Mapping[str, float]) -> Array:
 @lru_cache(maxsize=4)
 def place_regions(head: Head) -> tuple[PlacedRegion, ...]:
     """Lay all regions out on a head; a mirrored vertex gets the same phase and mask."""
-    marks = Marks.of(head)
+    marks = FaceCoordinates.of(head)
     fine = head.skin.matrix @ head.rest
     middles = head.rest[head.quads].mean(axis=1)
     seen = np.ones(len(fine))
@@ -136,7 +136,7 @@ def place_regions(head: Head) -> tuple[PlacedRegion, ...]:
 
 
 def _place(
-    layout: Layout, marks: Marks, fine: Array, middles: Array, seen: Array
+    layout: Layout, marks: FaceCoordinates, fine: Array, middles: Array, seen: Array
 ) -> tuple[Array, Array, Array]:
     """Return the phase and the mask (N1,) of a layout, and its pull (Q0, 3)."""
     chart = layout.chart(marks, marks.left_half(fine))

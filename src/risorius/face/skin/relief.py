@@ -13,8 +13,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...core.arrays import Array
+from ..head.face_coordinates import FaceCoordinates
 from ..head.head import Head
-from ..head.marks import Marks
 from ..muscles.crowding import LEAST_WIDTH, Distances, altitudes
 from ..numerics.quads import quad_normals
 from .layouts import Fold
@@ -29,7 +29,7 @@ def relief(head: Head, placed: Sequence[PlacedRegion]) -> Array:
 
     One number for each vertex in the region's mask, as `Compression` has its rows.
     """
-    count, unit = head.skin.matrix.shape[0], Marks.of(head).unit
+    count, unit = head.skin.matrix.shape[0], FaceCoordinates.of(head).unit
     inside = [p.zone.mask > 0.0 for p in placed]
     shares = [_share(p)[rows] for p, rows in zip(placed, inside, strict=True)]
     full = np.zeros(count)

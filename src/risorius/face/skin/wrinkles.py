@@ -15,8 +15,8 @@ import numpy as np
 from ...core.arrays import Array, Float32Array, IntArray, UInt32Array
 from ...core.parameters import INDEX, parameters_named
 from ...machine.kernels.jit import device, kernel
+from ..head.face_coordinates import FaceCoordinates
 from ..head.head import Head
-from ..head.marks import Marks
 from .ageing import DEFAULT_AGE, SkinAge, skin_at
 from .bulges import Bulges
 from .compression import Compression
@@ -48,7 +48,7 @@ class Wrinkles:
         self._compression = compression.anew()
         rows = self._compression
         self._mask = np.concatenate([p.zone.mask[p.zone.mask > 0.0] for p in placed])
-        self._law = _law(placed, skin, factor, Marks.of(head).unit)
+        self._law = _law(placed, skin, factor, FaceCoordinates.of(head).unit)
         self._stretch = np.empty(len(rows.row_vertex))
         self._drawn_in = [_DrawnIn.of(p, z, rows) for z, p in enumerate(placed) if _draws_in(p)]
         self._held = [

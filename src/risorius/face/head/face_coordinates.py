@@ -15,14 +15,14 @@ _RIPPLES = 6
 
 
 @dataclass(frozen=True, slots=True)
-class Marks:
+class FaceCoordinates:
     """The 68 landmarks at rest (68, 3), and the scale of the face: its mm per mm of the tables."""
 
     landmarks: Array
     unit: float
 
     @classmethod
-    def of(cls, head: Head) -> Marks:
+    def of(cls, head: Head) -> FaceCoordinates:
         """Measure a head."""
         unit = float(np.linalg.norm(head.eye_centre[0] - head.eye_centre[1])) / EYE_DISTANCE
         return cls(head.landmarks(head.skin.matrix @ head.rest) / unit, unit)
