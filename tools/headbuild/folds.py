@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from risorius.core.arrays import AnyArray
-from risorius.face.muscles.crowding import Distances, altitudes, relieve, struts
+from risorius.face.muscles.fold_prevention import Distances, altitudes, resolve_folds, struts
 
 from .bust import Bust
 
@@ -22,7 +22,7 @@ def unfolded(bust: Bust, rest: AnyArray, field: AnyArray) -> AnyArray:
     found = Distances.of(points[_outside(bust, rest)[points].all(axis=1)], rest)
     moved = field.copy()
     close = np.empty(len(found.points), np.uint32)
-    relieve(found.points, found.foot, found.way, (1.0 - _LEFT) * found.length, _SWEEPS, close, moved)
+    resolve_folds(found.points, found.foot, found.way, (1.0 - _LEFT) * found.length, _SWEEPS, close, moved)
     return moved
 
 

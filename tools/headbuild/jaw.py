@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from risorius.core.arrays import AnyArray
-from risorius.face.muscles.throat import uncrowd
+from risorius.face.muscles.throat import resolve_throat_folds
 from risorius.face.numerics.rotations import turned
 
 from .bust import Bust
@@ -44,7 +44,9 @@ def fit_jaw(bust: Bust, rest: AnyArray) -> Jaw:
     opened = rest + shape
     weight = _weights(bare, rest, opened)
     weight = 0.5 * (weight + weight[bust.mirror])
-    uncrowd(bust.quads, rest, float(rest[lip_rings(bust), 1].min()), axis, weight * angle, opened)
+    resolve_throat_folds(
+        bust.quads, rest, float(rest[lip_rings(bust), 1].min()), axis, weight * angle, opened
+    )
     corrective = opened - bare.turn(rest, weight * angle)
     return Jaw(point, axis, angle, weight, corrective)
 

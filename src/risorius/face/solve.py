@@ -25,7 +25,7 @@ from .frame import FaceFrame, FrameBuffers
 from .head.coupled_muscles import Links, load_links
 from .head.eyes import eye_rotations, pitch_and_yaw
 from .head.head import Head
-from .muscles.crowding import Crowding
+from .muscles.fold_prevention import FoldPrevention
 from .muscles.jaw import Jaw
 from .muscles.muscles import DisplacedSkin, MuscleFields, put_at
 from .muscles.tongue import TongueShapes
@@ -95,7 +95,7 @@ class FaceSolver:
         self.jaw = Jaw.of(head)
         self._links = links or load_links(head.links_file)
         self._muscles = MuscleFields.of(head)
-        self._crowding = Crowding.of(head)
+        self._fold_prevention = FoldPrevention.of(head)
         self._network = Network.of(head)
         self._displaced_skin = DisplacedSkin(self._muscles)
         self._fixed = np.setdiff1d(np.flatnonzero(self._muscles.acting), self._network.free)
@@ -179,7 +179,7 @@ class FaceSolver:
         values.setflags(write=False)
         opening = float(values[_JAW])
         eyes = eye_rotations(self.head.eye_centre, *values[_GAZE].tolist())
-        self._crowding.relieve(self._displacement)
+        self._fold_prevention.resolve(self._displacement)
         self._solve_skin(values, eyes, buffers)
         self._tongue.place(values, self.jaw, opening, self._tongue_points)
         self._teeth.keep_in(self._tongue_points, opening)

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from risorius.face.head.head import load_head
-from risorius.face.muscles.crowding import struts
+from risorius.face.muscles.fold_prevention import struts
 from risorius.face.muscles.jaw import Jaw
-from risorius.face.muscles.throat import LEAST, uncrowd
+from risorius.face.muscles.throat import LEAST, resolve_throat_folds
 from risorius.face.numerics.rotations import turned
 
 STRIP = np.array([[0, 1, 3, 2], [2, 3, 5, 4]])
@@ -30,7 +30,7 @@ def test_skin_that_is_laid_over_itself_is_pushed_apart():
     rest, angle = strip(), np.zeros(6)
     opened = rest.copy()
     opened[4:, 1] = -5.0  # the upper edge, below the middle one
-    uncrowd(STRIP, rest, 1.0, AXIS, angle, opened)
+    resolve_throat_folds(STRIP, rest, 1.0, AXIS, angle, opened)
     assert shortest(struts(STRIP), rest, opened, angle) > LEAST - 0.02
 
 
@@ -38,10 +38,10 @@ def test_what_has_room_or_lies_higher_is_left_alone():
     rest, angle = strip(), np.full(6, 0.3)
     opened = turned(rest, AXIS, angle)
     kept = opened.copy()
-    uncrowd(STRIP, rest, 1.0, AXIS, angle, opened)
+    resolve_throat_folds(STRIP, rest, 1.0, AXIS, angle, opened)
     np.testing.assert_allclose(opened, kept, atol=1e-12)
     crushed = 0.1 * rest
-    uncrowd(STRIP, rest, -10.0, AXIS, angle, crushed)
+    resolve_throat_folds(STRIP, rest, -10.0, AXIS, angle, crushed)
     np.testing.assert_array_equal(crushed, 0.1 * rest)
 
 

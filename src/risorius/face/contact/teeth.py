@@ -15,7 +15,7 @@ from scipy.spatial import cKDTree
 from ...core.arrays import Array, IndexArray, IntArray, UInt32Array
 from ...machine.kernels.jit import device, kernel
 from ..head.head import Head
-from ..muscles.crowding import struts
+from ..muscles.fold_prevention import struts
 from ..muscles.jaw import Jaw
 from ..numerics.rotations import about_axis
 from .tooth_row import NONE, ROUNDING, ROW, ToothRow, column_of, look_up, sector_of

@@ -17,7 +17,7 @@ from ...machine.array_cache import cached_arrays
 from ...machine.kernels.jit import kernel
 from ..head.head import Head
 from ..numerics.rotations import about_axis, turned
-from .throat import uncrowd
+from .throat import resolve_throat_folds
 
 MASSETER = INDEX["masseter"]
 
@@ -43,14 +43,14 @@ class Jaw:
         corrective[head.jaw_corrective.vertices] = head.jaw_corrective.displacement
         angle, below = head.jaw_weight * head.jaw_angle, head.rest[head.masks["lips"] > 0.5, 1].min()
 
-        def uncrowded() -> tuple[Array]:
+        def without_folds() -> tuple[Array]:
             rigid = head.jaw_point + turned(head.rest - head.jaw_point, head.jaw_axis, angle)
             opened = rigid + corrective
-            uncrowd(head.quads, head.rest, below, head.jaw_axis, angle, opened)
+            resolve_throat_folds(head.quads, head.rest, below, head.jaw_axis, angle, opened)
             return (opened - rigid,)
 
         inputs = head.quads, head.rest, below, head.jaw_point, head.jaw_axis, angle, corrective
-        (corrective,) = cached_arrays("jaw", inputs, uncrowded)
+        (corrective,) = cached_arrays("jaw", inputs, without_folds)
         return cls(head.jaw_point, head.jaw_axis, head.jaw_angle, head.jaw_weight, corrective)
 
     def carry_skin(self, rest: Array, displacement: Array, opening: float, out: Array) -> None:

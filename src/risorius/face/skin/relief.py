@@ -15,7 +15,7 @@ import numpy as np
 from ...core.arrays import Array
 from ..head.face_coordinates import FaceCoordinates
 from ..head.head import Head
-from ..muscles.crowding import LEAST_WIDTH, Distances, altitudes
+from ..muscles.fold_prevention import LEAST_WIDTH, Distances, altitudes
 from ..numerics.quads import quad_normals
 from .layouts import Fold
 from .regions import PlacedRegion

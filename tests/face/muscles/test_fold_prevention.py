@@ -5,14 +5,14 @@ import pytest
 
 from risorius.face.head.coupled_muscles import NO_LINKS
 from risorius.face.head.head import load_head
-from risorius.face.muscles.crowding import (
+from risorius.face.muscles.fold_prevention import (
     LEAST,
     STEEPEST,
     SWEEPS,
-    Crowding,
     Distances,
+    FoldPrevention,
     altitudes,
-    relieve,
+    resolve_folds,
     struts,
 )
 from risorius.face.muscles.muscles import MuscleFields
@@ -24,7 +24,7 @@ from ..flips import Flips
 
 @pytest.fixture(scope="module")
 def crowding(head):
-    return Crowding.of(head)
+    return FoldPrevention.of(head)
 
 
 def displaced(solver, targets):
@@ -43,7 +43,7 @@ def test_struts_are_sides_and_diagonals_once():
 def test_a_muscle_alone_is_left_as_it_is(head, crowding, solver, muscle):
     alone = displaced(solver, {muscle: 1.0})
     kept = alone.copy()
-    crowding.relieve(kept)
+    crowding.resolve(kept)
     np.testing.assert_allclose(kept, alone, atol=1e-9)
 
 
@@ -51,7 +51,7 @@ def test_what_many_muscles_crowd_keeps_its_room(head, crowding):
     solver = FaceSolver(head, NO_LINKS)
     crowded = displaced(solver, dict.fromkeys(("mentalis", "depressor_labii", "zygomatic_major"), 1.0))
     before = (crowding.distances.shortened(crowded) - crowding.allowance).max()
-    crowding.relieve(crowded)
+    crowding.resolve(crowded)
     after = (crowding.distances.shortened(crowded) - crowding.allowance).max()
     assert before > 0.3
     assert after < 0.1
@@ -60,7 +60,7 @@ def test_what_many_muscles_crowd_keeps_its_room(head, crowding):
 def test_one_edge_is_pushed_apart_evenly():
     points, way = np.array([[0, 1, 1]], np.int32), np.array([[1.0, 0.0, 0.0]])
     moved = np.array([[3.0, 0.5, 0.0], [0.0, 0.0, 0.2]])
-    relieve(points, np.zeros(1), way, np.array([2.0]), 4, np.empty(1, np.uint32), moved)
+    resolve_folds(points, np.zeros(1), way, np.array([2.0]), 4, np.empty(1, np.uint32), moved)
     np.testing.assert_allclose(moved, [[2.5, 0.5, 0.0], [0.5, 0.0, 0.2]])
     assert 0.0 < LEAST < 1.0
 
@@ -73,7 +73,9 @@ def test_a_narrow_face_is_kept_from_turning_over():
     moved = np.array([[0.0, 1.4, 0.0], [0.0, 1.4, 0.0], [3.0, 0.0, 0.0], [3.0, 0.0, 0.0]])
     assert widths.shortened(moved).max() > 1.0
     allowance = 0.6 * widths.length
-    relieve(widths.points, widths.foot, widths.way, allowance, 40, np.empty(len(allowance), np.uint32), moved)
+    resolve_folds(
+        widths.points, widths.foot, widths.way, allowance, 40, np.empty(len(allowance), np.uint32), moved
+    )
     assert (widths.shortened(moved) - allowance).max() < 0.05
     assert (rest + moved)[3, 1] > (rest + moved)[0, 1]
 
@@ -107,9 +109,9 @@ def test_distances_that_are_far_from_their_limit_are_met_too(head, crowding, sol
     crowded = displaced(solver, dict.fromkeys((*MOUTH_MUSCLES, "depressor_supercilii", "masseter"), 1.0))
     found, one_by_one = crowding.distances, crowded.copy()
     for _ in range(SWEEPS):
-        relieve(found.points, found.foot, found.way, crowding.allowance, 1, crowding.close, one_by_one)
+        resolve_folds(found.points, found.foot, found.way, crowding.allowance, 1, crowding.close, one_by_one)
     pushed = crowded.copy()
-    crowding.relieve(pushed)
+    crowding.resolve(pushed)
     assert np.linalg.norm(pushed - crowded, axis=1).max() > 0.3
     np.testing.assert_allclose(pushed, one_by_one, atol=0.05)
 

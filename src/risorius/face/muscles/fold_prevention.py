@@ -76,10 +76,10 @@ class Distances:
 
 
 @dataclass(frozen=True, slots=True)
-class Crowding:
+class FoldPrevention:
     """The distances that muscles could fold over; each may shorten by its `allowance` (d,) mm.
 
-    `close` (d,) is the workspace of `relieve`: not for two threads at a time.
+    `close` (d,) is the workspace of `resolve_folds`: not for two threads at a time.
     """
 
     distances: Distances
@@ -87,16 +87,16 @@ class Crowding:
     close: UInt32Array
 
     @classmethod
-    def of(cls, head: Head) -> Crowding:
+    def of(cls, head: Head) -> FoldPrevention:
         """Find the distances that all muscles of `head` together could shorten too far."""
         *distances, allowance = _tables(head)
         return cls(Distances(*distances), allowance, np.empty(len(allowance), np.uint32))
 
-    def relieve(self, displacement: Array) -> None:
+    def resolve(self, displacement: Array) -> None:
         """Change `displacement` (N0, 3) mm in place until no distance is too short."""
         distances = self.distances
         tables = distances.points, distances.foot, distances.way, self.allowance
-        relieve(*tables, SWEEPS, self.close, displacement)
+        resolve_folds(*tables, SWEEPS, self.close, displacement)
 
 
 @lru_cache(maxsize=4)
@@ -179,7 +179,7 @@ def _fields(head: Head) -> list[Array]:
 
 
 @kernel("i4[:, :], f8[:], f8[:, :], f8[:], i8, u4[:], f8[:, :]")
-def relieve(
+def resolve_folds(
     points: Int32Array,
     foot: Array,
     way: Array,
