@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from risorius.core.articulators import SEAL_MM
 from risorius.face.contact.contact import Contacts, find_contacts
 from risorius.face.contact.mouth import Mouth, TeethEdge
-from risorius.face.contact.plate import nearby, response
+from risorius.face.contact.plate import nearby, plate_compliance
 from risorius.face.fit.measure import Gauge
 from tests.profiles import examples
 
@@ -208,7 +208,7 @@ def test_single_precision_of_the_compliance_moves_no_point_by_a_hundred_thousand
     values = values_of({"lip_seal": 0.7, "mentalis": 0.4, "masseter": 0.1})
     single, mouth = solver.solve(values).skin, Mouth.of(head)
     near = nearby(head.rest, mouth.matrix @ head.rest)
-    plate = response(head.quads, mouth.matrix, near)
+    plate = plate_compliance(head.quads, mouth.matrix, near)
     monkeypatch.setattr(solver._lips, "_compliance", plate.compliance)
     assert np.abs(solver.solve(values).skin - single).max() < 1e-5
 

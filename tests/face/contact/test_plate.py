@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import scipy.sparse as sp
 
-from risorius.face.contact.plate import REACH, nearby, response, stiffness
+from risorius.face.contact.plate import REACH, nearby, plate_compliance, stiffness
 
 SIDE = 15
 
@@ -19,7 +19,7 @@ def plate():
     points = sp.csr_matrix(
         (np.ones(3), (range(3), [middle, middle + 2, middle - SIDE])), shape=(3, SIDE * SIDE)
     )
-    return stiff, points, response(quads, points, np.ones(SIDE * SIDE, bool)), quads
+    return stiff, points, plate_compliance(quads, points, np.ones(SIDE * SIDE, bool)), quads
 
 
 def test_stiffness_is_symmetric_and_positive(plate):
@@ -48,7 +48,7 @@ def test_what_is_not_free_does_not_move(plate):
     _, points, _, quads = plate
     free = np.zeros(SIDE * SIDE, bool)
     free[SIDE * 4 : SIDE * 11] = True
-    assert free[response(quads, points, free).region].all()
+    assert free[plate_compliance(quads, points, free).region].all()
 
 
 def test_nearby_is_a_matter_of_distance():

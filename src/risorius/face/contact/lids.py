@@ -22,7 +22,7 @@ from ...core.parameters import INDEX
 from ...machine.kernels.jit import device, kernel
 from ..head.head import Head
 from ..numerics.products import SparseRows, carry
-from .plate import nearby, response
+from .plate import nearby, plate_compliance
 
 SIDES = ("left", "right")
 BLINK = "orbicularis_oculi_palpebralis"
@@ -87,7 +87,7 @@ class Lids:
         spread[field.vertices] = path
         angles = (margin @ spread)[:, 2]
         apart = angles[len(pairs) :] - angles[: len(pairs)]
-        plate = response(head.quads, margin, nearby(head.rest, margin @ head.rest))
+        plate = plate_compliance(head.quads, margin, nearby(head.rest, margin @ head.rest))
         shell, floor = _shell(head, centre, radius)
         return cls(
             INDEX[name],

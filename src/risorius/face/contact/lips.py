@@ -17,7 +17,7 @@ from ..numerics.complementarity import Gaps, Workspace, solve_gaps
 from ..numerics.products import SparseRows, carry, carry_upwards
 from .contact import Contacts, find_contacts, keep_tight
 from .mouth import OVERLAP, Mouth, TeethEdge
-from .plate import Response, nearby, response
+from .plate import PlateCompliance, nearby, plate_compliance
 
 NEAR = 0.12  # mm; wider gaps are left out of the solution after closing
 SHUT = 0.005  # mm that a full seal may leave open
@@ -38,7 +38,7 @@ TUCK_ROOM = 1.2  # mm of the upper lip above the teeth's edge, so that it does n
 class Handles:
     """Places on the lips, each a weighted sum of the mouth's points, that can be moved one by one."""
 
-    def __init__(self, weights: Array, plate: Response) -> None:
+    def __init__(self, weights: Array, plate: PlateCompliance) -> None:
         """Take the places `weights` (s, n)."""
         self._rows = SparseRows.of(sp.csr_matrix(weights))
         self._region = plate.region
@@ -61,7 +61,7 @@ class Lips:
     def __init__(self, head: Head, jaw: Jaw | None = None) -> None:
         mouth = Mouth.of(head, jaw)
         rest: Array = mouth.matrix @ head.rest
-        plate = response(head.quads, mouth.matrix, nearby(head.rest, rest))
+        plate = plate_compliance(head.quads, mouth.matrix, nearby(head.rest, rest))
         self._region, self._motion = plate.region, plate.motion
         # How far gaps open is solved to micrometres; half as many bytes are fetched from memory.
         self._compliance = plate.compliance.astype(np.float32)

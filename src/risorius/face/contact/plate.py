@@ -23,7 +23,7 @@ NEGLIGIBLE = 0.004
 
 
 @dataclass(frozen=True, slots=True)
-class Response:
+class PlateCompliance:
     """The effects of unit pushes at n points.
 
     `region` (r,): the level-0 vertices that move; `motion` (n, r): how far each moves per unit push at each
@@ -44,13 +44,13 @@ def stiffness(count: int, quads: IntArray) -> sp.csc_matrix:
     return (BENDING * laplacian @ laplacian + STRETCHING * laplacian + BED * sp.identity(count)).tocsc()
 
 
-def response(quads: IntArray, points: sp.csr_matrix, free: BoolArray) -> Response:
+def plate_compliance(quads: IntArray, points: sp.csr_matrix, free: BoolArray) -> PlateCompliance:
     """Return the response of the plate of `quads` (Q, 4) at `points` (n, N0), rows of weights that sum to 1.
 
     Only vertices in `free` (N0,) move; all vertices near the points must be among them.
     """
     inputs = quads, points.data, points.indices, points.indptr, free
-    return Response(
+    return PlateCompliance(
         *cached_arrays("response", inputs, lambda: _respond(stiffness(len(free), quads), points, free))
     )
 

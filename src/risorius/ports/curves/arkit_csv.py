@@ -24,7 +24,7 @@ from ...errors import InputError, unknown
 from ...face.fit.arkit_direct import gaze_of
 from ...face.fit.arkit_fit import ArkitFit, ArkitTrack
 from ...face.fit.lip_file import load_lip_rig
-from ...face.fit.response import Responses
+from ...face.fit.muscle_fit import MuscleFit
 from ...face.solve import FaceSolver
 from ..formats import register
 from ..readable import ReadOptions, ScoreFile
@@ -116,7 +116,7 @@ def read_arkit_capture(path: Path, options: ReadOptions) -> ScoreFile:
     # Lips that are closed over an open jaw are brought together by contact, not by muscles against the jaw.
     apart = take.weights.copy()
     apart[:, INDEX["mouthClose"]] = 0.0
-    responses = Responses(FaceSolver(head), lambda frame: fit.displacement(frame.skin))
+    responses = MuscleFit(FaceSolver(head), lambda frame: fit.displacement(frame.skin))
     values = responses.of_shapes(apart, fit.visible_displacement(np.eye(len(INDEX))))
     closed = np.where(open_ > _OPEN, np.minimum(close / np.maximum(open_, _OPEN), 1.0), 0.0)
     gap = load_lip_rig(head.folder).gap({name: values[:, PARAMETER[name]] for name in OPENING})

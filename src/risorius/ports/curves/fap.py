@@ -21,8 +21,8 @@ from ...core.parameters import INDEX, NEUTRAL
 from ...core.progress import Progress
 from ...errors import InputError, Place, warn
 from ...face.fit.feature_points import ANGLE, COUNT, LIDS, POINTS, SHOWN, TONGUE, FeaturePoints
-from ...face.fit.response import TONGUE as TONGUE_FITTED
-from ...face.fit.response import Responses
+from ...face.fit.muscle_fit import TONGUE as TONGUE_FITTED
+from ...face.fit.muscle_fit import MuscleFit
 from ...face.solve import FaceSolver
 from ..formats import register
 from ..readable import ReadOptions, ScoreFile
@@ -101,11 +101,11 @@ def read_fap_capture(path: Path, options: ReadOptions) -> ScoreFile:
     points, solver = FeaturePoints(head), FaceSolver(head)
     sizes = points.sizes()
     rows = [number - 1 for number in (*POINTS, *LIDS) if take.used[number - 1]]
-    responses = Responses(solver, lambda frame: points.of_skin(frame.skin) * sizes)
+    responses = MuscleFit(solver, lambda frame: points.of_skin(frame.skin) * sizes)
     values = responses.values(take.values * sizes, rows) if rows else np.tile(NEUTRAL, (len(take.times), 1))
     tongue = [number - 1 for number in TONGUE]
     if take.used[tongue].all():
-        tip = Responses(solver, points.tongue_tip, TONGUE_FITTED).values(take.values[:, tongue], (0, 1))
+        tip = MuscleFit(solver, points.tongue_tip, TONGUE_FITTED).values(take.values[:, tongue], (0, 1))
         places = [INDEX[name] for name in TONGUE_FITTED]
         values[:, places] = tip[:, places]
     _warn_of_left_out(take, path)

@@ -16,7 +16,7 @@ from ...core.parameters import INDEX as PARAMETER
 from ...core.parameters import NEUTRAL
 from ...errors import InputError, Place, unknown
 from ...face.fit.arkit_fit import ArkitFit, ArkitTrack
-from ...face.fit.response import FITTED
+from ...face.fit.muscle_fit import FITTED
 from ...face.head.head import Head
 from ...face.solve import FaceSolver
 from ...machine.blas import one_thread

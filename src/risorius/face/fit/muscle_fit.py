@@ -20,7 +20,7 @@ FITTED = (*(muscle.name for muscle in MUSCLES), "lip_tuck")
 _RIDGE = 2e-3
 
 
-class Responses:
+class MuscleFit:
     """Non-negative least squares of measures over the muscles of one head, or over the parameters `fitted`.
 
     `measure` returns numbers (n,) of a frame, 0 at rest. Each column is the effect of a single muscle at
