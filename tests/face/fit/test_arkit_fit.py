@@ -15,7 +15,7 @@ from risorius.face.fit.arkit_direct import gaze_of
 from risorius.face.fit.arkit_fit import BLOCK, ArkitFit
 from risorius.face.fit.shapes import arkit_shapes
 from risorius.face.head.head import load_head, shipped_heads
-from risorius.face.numerics import far_vertices
+from risorius.face.numerics import robust_fit
 from risorius.face.solve import FaceSolver
 from tests.profiles import everyday, examples
 
@@ -159,7 +159,7 @@ def test_the_bound_of_what_shapes_make_is_nothing(fit, bounds_of) -> None:
 def test_far_vertices_come_nearer_for_little(fit, face, monkeypatch: pytest.MonkeyPatch) -> None:
     frame = face(orbicularis_oris_funneler=0.6, masseter=0.4, zygomatic_major=0.8)
     near = fit.residual(frame, fit.weights(frame))
-    monkeypatch.setattr(far_vertices, "STEPS", 0)
+    monkeypatch.setattr(robust_fit, "STEPS", 0)
     before = fit.residual(frame, fit.weights(frame))
     assert near[1] < before[1] - 0.3
     assert near[0] < before[0] + 0.15

@@ -25,8 +25,8 @@ from ..contact.lids import FRONT, LID_REACH
 from ..frame import FaceFrame
 from ..head.eyes import pitch_and_yaw
 from ..head.head import Head
-from ..numerics.far_vertices import FAR, FarVertices, lengths, within_leeway
 from ..numerics.nonnegative import least_squares
+from ..numerics.robust_fit import FAR, RobustFit, lengths, within_leeway
 from .arkit_direct import DIRECT, direct_weights
 from .shapes import ArkitShapes, arkit_shapes
 
@@ -227,7 +227,7 @@ class ArkitFit:
         begin = np.maximum(start + guess[free], 0.0)
         while np.any(apart[~seen] > FAR):
             seen |= apart > FAR - NEARLY
-            begin = FarVertices(self._moves[seen], left[seen], self._some.normal, right, start).minimum(begin)
+            begin = RobustFit(self._moves[seen], left[seen], self._some.normal, right, start).minimum(begin)
             way[free] = begin - start
             apart = lengths(left - (way @ self._fitted).reshape(-1, 3))
         return way

@@ -36,7 +36,7 @@ class SurfaceCost(NamedTuple):
     distance: Array
 
 
-class FarVertices:
+class RobustFit:
     """The problem for one surface: `moves` (n, 3, s) are the shapes, in mm at weight 1.
 
     `normal` (s, s) and `right` (s,) are the normal equations of the least squares; `start` (s,) is their

@@ -3,9 +3,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.face.numerics import far_vertices
-from risorius.face.numerics.far_vertices import FAR, FarVertices
+from risorius.face.numerics import robust_fit
 from risorius.face.numerics.nonnegative import least_squares
+from risorius.face.numerics.robust_fit import FAR, RobustFit
 from tests.profiles import examples
 
 SHAPES, VERTICES = 6, 40
@@ -25,7 +25,7 @@ def surface(basis, wanted, normal, right):
     start = least_squares(normal, right, np.zeros(SHAPES))
     left = (wanted - start @ basis).reshape(-1, 3)
     moves = np.ascontiguousarray(basis.T.reshape(VERTICES, 3, SHAPES))
-    return FarVertices(moves, left, normal, right, start), start
+    return RobustFit(moves, left, normal, right, start), start
 
 
 def test_what_is_near_stays_as_the_least_squares_have_it() -> None:
@@ -75,8 +75,8 @@ def test_the_worst_comes_nearer() -> None:
 
 def test_no_weight_goes_far_from_the_least_squares(monkeypatch: pytest.MonkeyPatch) -> None:
     held, start = problem(3)
-    monkeypatch.setattr(far_vertices, "LEEWAY", 0.5 * np.abs(held.minimum(start) - start).max())
-    found = start + far_vertices.within_leeway(held.minimum(start) - start)
-    assert np.abs(found - start).max() == pytest.approx(far_vertices.LEEWAY)
+    monkeypatch.setattr(robust_fit, "LEEWAY", 0.5 * np.abs(held.minimum(start) - start).max())
+    found = start + robust_fit.within_leeway(held.minimum(start) - start)
+    assert np.abs(found - start).max() == pytest.approx(robust_fit.LEEWAY)
     costs = [held.at(weights).cost for weights in (held.minimum(start), found, start)]
     assert costs == sorted(costs)
