@@ -29,8 +29,8 @@ from .muscles.fold_prevention import FoldPrevention
 from .muscles.jaw import Jaw
 from .muscles.muscles import DisplacedSkin, MuscleFields, put_at
 from .muscles.tongue import TongueShapes
-from .numerics.products import AlikeRows, without_fourth
 from .numerics.rotations import head_rotation
+from .numerics.sparse import QuantizedCsr, without_fourth
 from .skin.ageing import DEFAULT_AGE
 from .skin.biphasic import Biphasic
 from .skin.network import Network
@@ -108,7 +108,7 @@ class FaceSolver:
         self._teeth = Teeth.of(head)
         self._tongue = TongueShapes.of(head)
         self._wrinkles = Wrinkles(head, age, wrinkles)
-        self._refine = AlikeRows.of(head.skin.matrix)
+        self._refine = QuantizedCsr.of(head.skin.matrix)
         self._linked = np.zeros(len(PARAMETERS))
         self._displacement = np.zeros_like(head.rest)
         self._skin, self._fine = (np.zeros((n, 4)) for n in reversed(head.skin.matrix.shape))

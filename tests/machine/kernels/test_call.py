@@ -14,8 +14,8 @@ from risorius.core.arrays import Array
 from risorius.face.contact.lids import _aim
 from risorius.face.head.coupled_muscles import _apply
 from risorius.face.muscles.jaw import turn_about
-from risorius.face.numerics.products import SparseRows, _times, without_fourth
 from risorius.face.numerics.robust_fit import _leave
+from risorius.face.numerics.sparse import SparseRows, _times, without_fourth
 from risorius.looks.normals import face_normals, vertex_normals
 from risorius.machine.kernels.call import Kernel
 from risorius.render.camera import project

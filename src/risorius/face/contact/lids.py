@@ -21,7 +21,7 @@ from ...core.arrays import Array, Int32Array
 from ...core.parameters import INDEX
 from ...machine.kernels.jit import device, kernel
 from ..head.head import Head
-from ..numerics.products import SparseRows, carry
+from ..numerics.sparse import SparseRows, carry
 from .plate import nearby, plate_compliance
 
 SIDES = ("left", "right")

@@ -14,7 +14,7 @@ from ...core.articulators import SEAL_MM, WIDEST_MM
 from ..head.head import Head
 from ..muscles.jaw import Jaw
 from ..numerics.complementarity import Gaps, Workspace, solve_gaps
-from ..numerics.products import SparseRows, carry, carry_upwards
+from ..numerics.sparse import SparseRows, carry, carry_upwards
 from .contact import Contacts, find_contacts, keep_tight
 from .mouth import OVERLAP, Mouth, TeethEdge
 from .plate import PlateCompliance, nearby, plate_compliance

@@ -17,7 +17,7 @@ from ...core.arrays import Array, IndexArray, UInt32Array, UIntArray
 from ...machine.kernels.jit import device, i8, kernel
 from .fours import gathered, set_row, spread
 from .fours import row as row_at
-from .products import short
+from .sparse import short
 
 _SYMMETRIC = {"options": {"SymmetricMode": True}, "diag_pivot_thresh": 0.0}
 

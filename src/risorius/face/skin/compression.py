@@ -18,7 +18,7 @@ from ...machine.array_cache import cached_arrays
 from ...machine.kernels.jit import device, kernel
 from ..head.face_coordinates import smooth
 from ..head.head import Head
-from ..numerics.products import short
+from ..numerics.sparse import short
 
 STRETCHED = 1.05  # a larger stretch does not compensate for compression beside it
 _ROUNDS = 2  # of smoothing on level 0

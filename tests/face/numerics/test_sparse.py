@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import scipy.sparse as sp
 
-from risorius.face.numerics.products import AlikeRows, SparseRows, carry, carry_upwards, without_fourth
+from risorius.face.numerics.sparse import QuantizedCsr, SparseRows, carry, carry_upwards, without_fourth
 
 RNG = np.random.default_rng(7)
 
@@ -21,7 +21,7 @@ def test_rows_of_few_weights_give_the_same_bytes(different):
     matrix = sp.random(40, 30, density=0.4, format="csr", random_state=3)
     matrix.data = RNG.choice(RNG.normal(size=different), len(matrix.data))
     points = RNG.normal(size=(30, 4))
-    alike, sparse = (rows.of(matrix).times(points, np.empty((40, 4))) for rows in (AlikeRows, SparseRows))
+    alike, sparse = (rows.of(matrix).times(points, np.empty((40, 4))) for rows in (QuantizedCsr, SparseRows))
     assert alike.tobytes() == sparse.tobytes()
 
 

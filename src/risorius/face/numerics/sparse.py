@@ -41,7 +41,7 @@ class SparseRows(NamedTuple):
         return out
 
 
-class AlikeRows(NamedTuple):
+class QuantizedCsr(NamedTuple):
     """The rows of a sparse matrix (n, m) of few different weights: mostly, the `number` of one takes a byte.
 
     Row i has `weights[number[start[i]:start[i + 1]]]` at `column[…]`.
@@ -53,7 +53,7 @@ class AlikeRows(NamedTuple):
     weights: Array
 
     @classmethod
-    def of(cls, matrix: sp.csr_matrix) -> AlikeRows:
+    def of(cls, matrix: sp.csr_matrix) -> QuantizedCsr:
         """Take the rows of a CSR matrix."""
         weights, number = np.unique(matrix.data, return_inverse=True)
         start, column = matrix.indptr.astype(np.uint32), short(matrix.indices)
