@@ -7,8 +7,8 @@ from typing import Annotated, NamedTuple
 import numpy as np
 
 from ..core.arrays import ByteArray, Float32Array, Int32Array, Int64Array
-from .lanes import LANES, empty_block
 from .linear_block import COLUMNS, MEANS
+from .shading_block import LANES, empty_block
 
 
 class PosedMesh(NamedTuple):

@@ -11,7 +11,7 @@ import numpy as np
 from ..core.arrays import Float32Array
 from ..core.look import LIGHTS, ByteColour
 from ..errors import InputError
-from .lanes import LAMPS
+from .shading_block import LAMPS
 
 LinearColour = tuple[float, float, float]
 """Linear light: red, green and blue, 1 on a white surface that faces a lamp of full strength."""

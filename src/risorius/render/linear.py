@@ -14,7 +14,15 @@ from ..machine.kernels.vec import Vec, along, at, dot, scale
 from .collect import collect_pixel
 from .grain import between, cell_of, heights_about
 from .inputs import Batch, LinearTriangles, Pose, PosedMesh, SceneLight, Screen, Tables
-from .lanes import (
+from .linear_block import GROUP, mean_at
+from .materials.cloth import STITCHES, covers, light_cloth_vertices
+from .materials.patch import Corners, corners_of
+from .materials.patch import put as put_light
+from .materials.shadows import EVEN
+from .materials.skin import INNER_MOUTH, PORES
+from .materials.skin_vertices import light_vertices
+from .raster import SUBPIXEL
+from .shading_block import (
     BELOW,
     FREE,
     GRAIN,
@@ -30,14 +38,6 @@ from .lanes import (
     heights_in,
     put,
 )
-from .linear_block import GROUP, mean_at
-from .materials.cloth import STITCHES, covers, light_cloth_vertices
-from .materials.patch import Corners, corners_of
-from .materials.patch import put as put_light
-from .materials.shadows import EVEN
-from .materials.skin import INNER_MOUTH, PORES
-from .materials.skin_vertices import light_vertices
-from .raster import SUBPIXEL
 from .tone import byte_place, exposed
 
 SIDE = 2

@@ -24,9 +24,9 @@ from ..machine.kernels.jit import f4
 from .aperture import lid_margins, lip_edges
 from .creases import lay_creases, raise_creases
 from .inputs import Pose
-from .lanes import LAMPS
 from .occlusion import Occluder, bake
 from .ribbons import WHOLE, ribbons
+from .shading_block import LAMPS
 from .turn import turn
 
 _LIPS = 0.35  # of the light that comes through the flesh to where the lips touch

@@ -1,7 +1,7 @@
 import numpy as np
 
-from risorius.render.lanes import NORMAL, OPENED, SHINE, SOFT, STRENGTH, VIEW, empty_block, get, put
 from risorius.render.materials.skin_lamps import edge_light
+from risorius.render.shading_block import NORMAL, OPENED, SHINE, SOFT, STRENGTH, VIEW, empty_block, get, put
 
 
 def test_the_underside_of_the_jaw_mirrors_no_room():

@@ -6,7 +6,7 @@ from ...core.arrays import Float32Array
 from ...machine.kernels.jit import device, f4
 from ...machine.kernels.vec import Vec, mix
 from ..inputs import SceneLight
-from ..lanes import LAMPS, LANES, REACH
+from ..shading_block import LAMPS, LANES, REACH
 from ..shadow import lit
 
 AmbientLight = tuple[Vec, Vec]

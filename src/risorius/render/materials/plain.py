@@ -1,6 +1,7 @@
 """The plain material of diagrams: clay, on which muscles and the mesh may be drawn.
 
-Skin is shaded in blocks (`lanes`), each step for all patches of a block; `plain_parts` shades the rest.
+Skin is shaded in blocks (`shading_block`), each step for all patches of a block; `plain_parts` shades the
+rest.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from ...machine.kernels.jit import device, f4, i8
 from ...machine.kernels.vec import Vec, add, along, dot, mix, scale, times, weigh
 from ..brdf import gloss
 from ..inputs import Batch, Paint, Pose, PosedMesh, SceneLight, Screen, Tables
-from ..lanes import (
+from ..shading_block import (
     ALBEDO,
     FREE,
     INNER,

@@ -1,6 +1,6 @@
 """Skin: scattered light from below the surface, gloss on it, dark within the mouth.
 
-Its patches are shaded in blocks (`lanes`), each step for all patches of a block.
+Its patches are shaded in blocks (`shading_block`), each step for all patches of a block.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from ...machine.kernels.jit import device, f4, i8
 from ...machine.kernels.vec import Vec, add, along, dot, rows_of, scale, smooth, tilted, times, turned, weigh
 from ..grain import between, cell_of, heights_about
 from ..inputs import Batch, Pose, PosedMesh, SceneLight, Screen, Tables
-from ..lanes import (
+from ..shading_block import (
     ALBEDO,
     BUMPY,
     CLOTH,

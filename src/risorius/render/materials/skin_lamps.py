@@ -6,7 +6,7 @@ from ...core.arrays import Float32Array
 from ...machine.kernels.jit import device, f4
 from ...machine.kernels.vec import Vec, add, along, dot, times
 from ..brdf import mirrored, mirrored_change, schlick
-from ..lanes import (
+from ..shading_block import (
     ALBEDO,
     ANGLE,
     BELOW,

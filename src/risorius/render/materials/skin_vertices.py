@@ -11,7 +11,7 @@ from ...looks import attributes
 from ...machine.kernels.jit import device, f4, i8
 from ...machine.kernels.vec import add, along, at, dot, scale, unrotate
 from ..inputs import Batch, LinearTriangles, Pose, PosedMesh, SceneLight, Screen, Tables
-from ..lanes import (
+from ..shading_block import (
     ALBEDO,
     BUMPY,
     CURVATURE,
