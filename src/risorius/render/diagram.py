@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..core.arrays import ByteArray
 from ..machine.kernels.jit import kernel
-from .collect import collect
+from .adaptive_samples import collect
 from .inputs import Batch, Paint, Pose, PosedMesh, SceneLight, Screen, Tables
 from .materials.hair import shade_hairs
 from .materials.plain import shade_plain

@@ -11,11 +11,11 @@ from ..looks.attributes import EXTRA, HAIR, SKIN
 from ..looks.garment import COLLAR
 from ..machine.kernels.jit import device, f4, i4, index
 from ..machine.kernels.vec import Vec, at, scale, weigh
-from .collect import weights_at
+from .adaptive_samples import weights_at
 from .inputs import Batch, Facets, Pose, PosedMesh, SceneLight, Screen, Tables
 from .materials.cloth import SEAM, collar_shade, light_cloth
 from .materials.lit import key_share
-from .materials.patch import Corners, corners_of, put
+from .materials.shading_sample import Corners, corners_of, put
 from .materials.skin import shade_skin
 from .raster import SUBPIXEL
 from .tone import developed

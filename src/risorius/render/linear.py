@@ -11,13 +11,13 @@ from ..core.arrays import ByteArray, Float32Array, Int32Array
 from ..looks.attributes import EXTRA, HAIR, INNER, ROUGHNESS, SKIN
 from ..machine.kernels.jit import device, f4, i8, index
 from ..machine.kernels.vec import Vec, along, at, dot, scale
-from .collect import collect_pixel
+from .adaptive_samples import collect_pixel
 from .grain import between, cell_of, heights_about
 from .inputs import Batch, LinearTriangles, Pose, PosedMesh, SceneLight, Screen, Tables
 from .linear_block import GROUP, mean_at
 from .materials.cloth import STITCHES, covers, light_cloth_vertices
-from .materials.patch import Corners, corners_of
-from .materials.patch import put as put_light
+from .materials.shading_sample import Corners, corners_of
+from .materials.shading_sample import put as put_light
 from .materials.shadows import EVEN
 from .materials.skin import INNER_MOUTH, PORES
 from .materials.skin_vertices import light_vertices

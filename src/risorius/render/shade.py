@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from ..core.arrays import ByteArray, Int32Array
 from ..machine.kernels.jit import device, f4, index, kernel
-from .collect import collect
+from .adaptive_samples import collect
 from .draft import find_facets, shade_row, write_patches
 from .inputs import Batch, Facets, LinearTriangles, Pose, PosedMesh, SceneLight, Screen, Tables
 from .linear import draw_row, find_linear

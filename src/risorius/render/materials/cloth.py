@@ -13,7 +13,7 @@ from ..grain import grain
 from ..inputs import Batch, LinearTriangles, PosedMesh, SceneLight, Screen, Tables
 from .exposure import expose
 from .lit import ambient_light, lamp_colour, lamp_direction, lamp_share
-from .patch import Corners, corners_of, put, towards, weights_of
+from .shading_sample import Corners, corners_of, put, towards, weights_of
 from .shadows import shadow_at
 
 _RIBS = f4(110)  # around the neck

@@ -7,7 +7,7 @@ from ...machine.kernels.jit import device, f4
 from ...machine.kernels.vec import Vec
 from ..inputs import LinearTriangles
 from ..tone import exposed
-from .patch import put
+from .shading_sample import put
 
 _STEP = f4(1.1)  # by which light is multiplied to see how the film answers
 

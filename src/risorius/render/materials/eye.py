@@ -29,7 +29,7 @@ from ..brdf import gloss, schlick
 from ..grain import grain
 from ..inputs import Batch, Pose, PosedMesh, SceneLight, Screen, Tables
 from .lit import ambient_light, key_share, lamp_colour, lamp_direction
-from .patch import corners_of, put, towards, weights_of
+from .shading_sample import corners_of, put, towards, weights_of
 
 LID_STEPS = 32
 _FRONT = 2  # lamps; the others stand behind the head

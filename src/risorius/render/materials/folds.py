@@ -9,7 +9,7 @@ from ...machine.kernels.vec import Vec, along, dot, rotate, saturate, unit
 from ..creases import DIMPLES, FAINT, FOLD, FURROW, KIND, SHADOW, SHARE
 from ..grain import grain
 from ..inputs import Pose, PosedMesh, Tables
-from .patch import Corners
+from .shading_sample import Corners
 
 PIT_CELLS = f4(6.5)
 """Cells of the grain to one of its waves."""

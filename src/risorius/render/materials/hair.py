@@ -13,7 +13,7 @@ from ...machine.kernels.jit import device, f4, kernel
 from ...machine.kernels.vec import Vec, add, along, at, dot, saturate, scale, sub, times, unit, weigh
 from ..inputs import Batch, PosedMesh, SceneLight
 from .lit import ambient_light, key_share, lamp_colour, lamp_direction
-from .patch import corners_of, put, weights_of
+from .shading_sample import corners_of, put, weights_of
 
 
 @kernel("PosedMesh, SceneLight, f4[:], i4[:]", arithmetic="fast")

@@ -24,7 +24,7 @@ from ...machine.kernels.vec import (
 from ..brdf import gloss
 from ..inputs import Batch, Pose, PosedMesh, SceneLight, Screen
 from .lit import ambient_light, key_share, lamp_colour, lamp_direction
-from .patch import Corners, corners_of, put, towards, weights_of
+from .shading_sample import Corners, corners_of, put, towards, weights_of
 
 LIP_STEPS = 32
 FRONT = 2  # lamps; the others stand behind the head

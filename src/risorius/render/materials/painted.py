@@ -8,7 +8,7 @@ from ...looks.muscle_paint import SOFT
 from ...machine.kernels.jit import device, f4, index
 from ...machine.kernels.vec import Vec, along, mix, saturate, scale, smooth
 from ..inputs import Paint, PosedMesh
-from .patch import Corners
+from .shading_sample import Corners
 
 _FIBRE = f4(2.4)  # mm from fibre to fibre
 _TURN = f4(2 * math.pi)

@@ -35,9 +35,9 @@ from .folds import bent, creased
 from .lit import ambient_of, ambient_on, lamp_colour, lamp_direction, read_reach
 from .mouth import past_lips
 from .painted import line_share, painted
-from .patch import corners_of, weights_of
-from .patch import put as put_colour
 from .plain_parts import MIRRORED, ROUGH, facing, shade_part
+from .shading_sample import corners_of, weights_of
+from .shading_sample import put as put_colour
 from .shadows import shadow_at
 
 _FLESH = f4(1.0)

@@ -27,7 +27,7 @@ from ..inputs import Batch, Pose, PosedMesh, SceneLight, Screen
 from .eye import lid_distances, lid_shade
 from .lit import ambient_light, key_share, lamp_colour, lamp_direction, lamp_share
 from .mouth import past_lips
-from .patch import Corners, corners_of, towards, weights_of
+from .shading_sample import Corners, corners_of, towards, weights_of
 
 MIRRORED = f4(0.04)  # reflected share of clay at a right angle
 ROUGH = f4(0.34)

@@ -7,7 +7,7 @@ from ...machine.kernels.jit import device, f4, kernel
 from ...machine.kernels.vec import Vec, at
 from ..inputs import PosedMesh, SceneLight
 from .lit import key_share
-from .patch import Corners
+from .shading_sample import Corners
 
 EVEN = f4(0.1)
 """Vertices whose shares differ by less need no shadow computed between them."""

@@ -42,8 +42,8 @@ from ..shading_block import (
 from .folds import bent, creased
 from .lit import ambient_of, ambient_on, read_reach
 from .mouth import entering_light, lamps_past_lips, past_lips, spread_in_flesh
-from .patch import corners_of, weights_of
-from .patch import put as put_colour
+from .shading_sample import corners_of, weights_of
+from .shading_sample import put as put_colour
 from .shadows import shadow_at
 from .skin_lamps import PORES_SOFT, edge_light, lamp_light
 
