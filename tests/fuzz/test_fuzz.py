@@ -75,7 +75,7 @@ OURS = {
     "machine/cache_folder": "digests of the kernels that we built",
     "live/pcm": "samples, of which all bytes are right",
     "reading/positions": "keys that were parsed before",
-    "face/skin/regions": "the bytes of its own table",
+    "face/skin/wrinkle_regions": "the bytes of its own table",
     "ports/page/html": "bytes that it writes",
     "ports/curves/npz": "writes",
     "ports/video/encoder": "memory that both processes map",

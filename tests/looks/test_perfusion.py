@@ -9,7 +9,7 @@ import pytest
 from scipy.spatial import cKDTree
 
 from risorius.face.head.head import load_head
-from risorius.face.skin.regions import place_regions
+from risorius.face.skin.wrinkle_regions import place_regions
 from risorius.face.solve import FaceSolver
 from risorius.looks.attributes import ALBEDO
 from risorius.looks.head_model import head_model

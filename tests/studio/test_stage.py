@@ -17,9 +17,9 @@ from risorius.looks.garment import neckline
 from risorius.looks.head_model import head_model
 from risorius.looks.riding import RidingHairs
 from risorius.ports.page.face_packer import FRAMES, PARTS, POSE, STEP
-from risorius.ports.page.head_folds import SLOTS, HeadFolds
 from risorius.ports.page.head_glb import head_glb
 from risorius.ports.page.head_shade import HEM_STEPS, light, shade
+from risorius.ports.page.head_wrinkles import SLOTS, HeadWrinkles
 from risorius.studio.faces.solvers import stage_of
 
 
@@ -93,7 +93,7 @@ def test_the_heights_of_fine_wrinkles_are_those_that_were_solved(stage, faces):
 @pytest.mark.parametrize("name", shipped_heads())
 def test_wrinkles_of_all_heads_have_a_slot_each(name):
     """But at a few vertices at the borders of two of them, where these fade."""
-    assert HeadFolds(load_head(name)).left_out <= 4
+    assert HeadWrinkles(load_head(name)).left_out <= 4
 
 
 def test_brows_and_lashes_turn_with_the_skin_as_the_library_says(stage, faces):

@@ -22,7 +22,7 @@ from ..face.frame import FaceFrame
 from ..face.head.head import Head
 from ..face.head.identity import Looks
 from ..face.numerics.sparse import SparseRows
-from ..face.skin.regions import place_regions
+from ..face.skin.wrinkle_regions import place_regions
 from ..machine.kernels.jit import f4, kernel
 from ..machine.kernels.vec import at, cross, dot, sub
 from .anatomy import smoothstep

@@ -22,12 +22,12 @@ from ..looks.scalp import hair_shade
 from ..looks.srgb import linear
 from ..machine.kernels.jit import f4
 from .aperture import lid_margins, lip_edges
-from .creases import lay_creases, raise_creases
 from .inputs import Pose
 from .occlusion import Occluder, bake
 from .ribbons import WHOLE, ribbons
 from .shading_block import LAMPS
 from .turn import turn
+from .wrinkle_table import lay_creases, raise_creases
 
 _LIPS = 0.35  # of the light that comes through the flesh to where the lips touch
 _SOFTENED = 0.8  # exponent: light reflected within folds brightens them a little

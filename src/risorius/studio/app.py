@@ -257,7 +257,7 @@ async def shading(request: Request) -> Response:
 
 
 async def folds(request: Request) -> Response:
-    """Return where the fine wrinkles of a head lie (`head_folds.py`)."""
+    """Return where the fine wrinkles of a head lie (`head_wrinkles.py`)."""
     return await _of_head(request, _folds, "application/octet-stream")
 
 

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from risorius.errors import InputError
 from risorius.face.head.coupled_muscles import NO_LINKS
 from risorius.face.head.face_coordinates import FaceCoordinates
-from risorius.face.skin.regions import place_regions, region_names, regions
+from risorius.face.skin.wrinkle_regions import place_regions, region_names, regions
 from risorius.face.skin.wrinkles import FLAT, LOW, Wrinkles, capped, fold_height
 from risorius.face.solve import FaceSolver
 from tests.profiles import examples

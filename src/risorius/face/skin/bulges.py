@@ -19,7 +19,7 @@ from ...reading.toml import package_text, parse_rows
 from ..head.face_coordinates import FaceCoordinates
 from ..head.head import Head
 from .compression import Compression, Zone
-from .layouts import Landmarks, Spacing, Vector, spot
+from .wrinkle_layouts import Landmarks, Spacing, Vector, spot
 
 TABLE = "bulges.toml"
 # Loss of area that does not show yet: without it a bulge would begin abruptly.

@@ -20,9 +20,9 @@ from ..head.head import Head
 from .ageing import DEFAULT_AGE, SkinAge, skin_at
 from .bulges import Bulges
 from .compression import Compression
-from .layouts import Dimples, Fold
-from .regions import PlacedRegion, check_factors, place_regions
-from .relief import relief
+from .wrinkle_layouts import Dimples, Fold
+from .wrinkle_regions import PlacedRegion, check_factors, place_regions
+from .wrinkle_relief import relief
 
 # Excess length that stays flat before a fold rises: a square root alone would start infinitely steep and show
 # every tremor.

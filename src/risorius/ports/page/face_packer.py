@@ -6,7 +6,7 @@ float32 (count, 14): quaternions x, y, z, w of head, left eye and right eye, the
 how much blood the lips gain, of the usual.
 Then the positions, int16 (count, vertices, 3): `origin + step * value` mm in the head's frame, before the
 head turns. The vertices are those of `parts` in order, as the meshes of the head's file have them. Then the
-heights of the fine wrinkles, uint8 (count, `folds.count`): `folds.step * value` mm (`head_folds.py`).
+heights of the fine wrinkles, uint8 (count, `folds.count`): `folds.step * value` mm (`head_wrinkles.py`).
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ from ...looks.perfusion import gained_by_lips
 from ...looks.riding import RidingHairs
 from ...looks.srgb import linear
 from ..mesh.gltf import quaternions
-from .head_folds import HeadFolds
 from .head_shade import blood, light
+from .head_wrinkles import HeadWrinkles
 from .skin_formulas import key_shadow, shading
 from .stage_table import StageEye, StagePart, StageTable
 
@@ -51,7 +51,7 @@ class FacePacker:
         self.vertices = len(points)
         self.origin = np.round(0.5 * (points.min(axis=0) + points.max(axis=0)))
         self.parts = tuple(self._parts())
-        self.folds = HeadFolds(head)
+        self.folds = HeadWrinkles(head)
 
     def _parts(self) -> Iterator[StagePart]:
         first = 0

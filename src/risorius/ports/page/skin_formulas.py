@@ -13,10 +13,10 @@ from ...looks.garment import COLLAR
 from ...looks.noise import SIZE as CELLS
 from ...looks.noise import noise_tile
 from ...looks.parts import HEM, TEETH_GLOSS, TONGUE_GLOSS
-from ...render import creases, shadow, subsurface
+from ...render import shadow, subsurface, wrinkle_table
 from ...render.brdf import gloss, mirrored, schlick
 from ...render.lights import STUDIO
-from ...render.materials import cloth, eye, folds, hair, lit, mouth, skin, skin_lamps
+from ...render.materials import cloth, eye, hair, lit, mouth, skin, skin_lamps, wrinkle_normals
 from .glsl import glsl_of
 from .stage_table import StageShading, StageShadow
 
@@ -34,12 +34,12 @@ _FUNCTIONS = (
     skin.collar_free,
     skin.fold_colour,
     skin_lamps.edge_share,
-    folds.covered_skin,
-    folds.darkened,
-    folds.bent,
-    folds.ridge,
-    folds.overhang,
-    folds.pit,
+    wrinkle_normals.covered_skin,
+    wrinkle_normals.darkened,
+    wrinkle_normals.bent,
+    wrinkle_normals.ridge,
+    wrinkle_normals.overhang,
+    wrinkle_normals.pit,
     cloth.collar_shade,
     cloth.cloth_share,
     cloth.sheen,
@@ -86,10 +86,10 @@ _CONSTANTS = {
     "FLESH": skin.FLESH,
     "FOLD_SHADES": skin.FOLD_SHADES,
     "FOLD_DULLS": skin.FOLD_DULLS,
-    "FAINT": creases.FAINT,
-    "FOLD": creases.FOLD,
-    "DIMPLES": creases.DIMPLES,
-    "PIT_CELLS": folds.PIT_CELLS,
+    "FAINT": wrinkle_table.FAINT,
+    "FOLD": wrinkle_table.FOLD,
+    "DIMPLES": wrinkle_table.DIMPLES,
+    "PIT_CELLS": wrinkle_normals.PIT_CELLS,
     "TAPS": shadow.REACH,
     "RAMP": shadow.RAMP,
     "COLLAR": COLLAR,

@@ -31,7 +31,6 @@ from ..shading_block import (
     get,
     put,
 )
-from .folds import bent, creased
 from .lit import ambient_of, ambient_on, lamp_colour, lamp_direction, read_reach
 from .mouth import past_lips
 from .painted import line_share, painted
@@ -39,6 +38,7 @@ from .plain_parts import MIRRORED, ROUGH, facing, shade_part
 from .shading_sample import corners_of, weights_of
 from .shading_sample import put as put_colour
 from .shadows import shadow_at
+from .wrinkle_normals import bent, creased
 
 _FLESH = f4(1.0)
 

@@ -39,13 +39,13 @@ from ..shading_block import (
     heights_in,
     put,
 )
-from .folds import bent, creased
 from .lit import ambient_of, ambient_on, read_reach
 from .mouth import entering_light, lamps_past_lips, past_lips, spread_in_flesh
 from .shading_sample import corners_of, weights_of
 from .shading_sample import put as put_colour
 from .shadows import shadow_at
 from .skin_lamps import PORES_SOFT, edge_light, lamp_light
+from .wrinkle_normals import bent, creased
 
 FLESH = f4(0.85)
 """Share of a fold's slope that affects light scattered below the surface."""

@@ -8,7 +8,13 @@ import numpy as np
 import pytest
 
 from risorius.errors import InputError
-from risorius.face.skin.regions import check_factors, parse_regions, place_regions, region_names, regions
+from risorius.face.skin.wrinkle_regions import (
+    check_factors,
+    parse_regions,
+    place_regions,
+    region_names,
+    regions,
+)
 
 TEXT = (resources.files("risorius.face.skin") / "data" / "wrinkles.toml").read_text(encoding="utf-8")
 

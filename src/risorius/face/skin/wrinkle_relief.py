@@ -17,8 +17,8 @@ from ..head.face_coordinates import FaceCoordinates
 from ..head.head import Head
 from ..muscles.fold_prevention import LEAST_WIDTH, Distances, altitudes
 from ..numerics.quads import quad_normals
-from .layouts import Fold
-from .regions import PlacedRegion
+from .wrinkle_layouts import Fold
+from .wrinkle_regions import PlacedRegion
 
 NARROWED = 0.5 * LEAST_WIDTH  # share of a face's width: half of what the muscles leave
 ROUNDS = 3  # of smoothing, so that the relief falls off towards a crease without a step

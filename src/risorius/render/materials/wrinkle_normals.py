@@ -6,9 +6,9 @@ import math
 
 from ...machine.kernels.jit import device, f4, i8
 from ...machine.kernels.vec import Vec, along, dot, rotate, saturate, unit
-from ..creases import DIMPLES, FAINT, FOLD, FURROW, KIND, SHADOW, SHARE
 from ..grain import grain
 from ..inputs import Pose, PosedMesh, Tables
+from ..wrinkle_table import DIMPLES, FAINT, FOLD, FURROW, KIND, SHADOW, SHARE
 from .shading_sample import Corners
 
 PIT_CELLS = f4(6.5)

@@ -9,8 +9,8 @@ import numpy as np
 from ..core.arrays import Array, Float32Array, Int32Array, IntArray
 from ..face.head.face_coordinates import FaceCoordinates
 from ..face.head.head import Head
-from ..face.skin.layouts import Dimples, Fold
-from ..face.skin.regions import PlacedRegion, place_regions
+from ..face.skin.wrinkle_layouts import Dimples, Fold
+from ..face.skin.wrinkle_regions import PlacedRegion, place_regions
 from ..looks.noise import noise_at
 from ..machine.array_cache import cached_arrays
 from ..machine.kernels.jit import f4, i4, kernel
@@ -23,7 +23,7 @@ FAINT = f4(0.004)  # mm: lower folds are not shaded
 MESH_CARRIES = 0.6  # share of the mesh's own relief that need not be shaded again
 
 
-class Creases(NamedTuple):
+class WrinkleTable(NamedTuple):
     """Wrinkle regions on the skin.
 
     `regions` (m,) int32 has bit r set on the triangles that region r covers, `raised` (m,) on those where it
@@ -39,7 +39,7 @@ class Creases(NamedTuple):
     style: Annotated[Float32Array, "f4[:, :]"]
 
 
-def lay_creases(head: Head, triangles: int) -> Creases:
+def lay_creases(head: Head, triangles: int) -> WrinkleTable:
     """Place a head's wrinkle regions in a scene of `triangles` triangles that starts with the skin's."""
     placed, unit = place_regions(head), FaceCoordinates.of(head).unit
     fine, faces = np.asarray(head.skin.matrix @ head.rest), head.skin.triangles
@@ -51,7 +51,7 @@ def lay_creases(head: Head, triangles: int) -> Creases:
     (place,) = cached_arrays(
         "creases", [phases, stray, fine, faces], lambda: (_places(phases, stray, fine, faces),)
     )
-    return Creases(
+    return WrinkleTable(
         covered,
         np.zeros_like(covered),
         place,
@@ -60,14 +60,14 @@ def lay_creases(head: Head, triangles: int) -> Creases:
     )
 
 
-def raise_creases(creases: Creases, triangles: Int32Array, wrinkles: Float32Array) -> None:
+def raise_creases(creases: WrinkleTable, triangles: Int32Array, wrinkles: Float32Array) -> None:
     """Set the wrinkles' heights (N1, R) in mm, and mark the `triangles` (n, 3) on which they can be seen."""
     creases.height[:] = wrinkles
     _find_raised(creases, triangles)
 
 
-@kernel("Creases, i4[:, :]")
-def _find_raised(creases: Creases, triangles: Int32Array) -> None:
+@kernel("WrinkleTable, i4[:, :]")
+def _find_raised(creases: WrinkleTable, triangles: Int32Array) -> None:
     for t in range(len(triangles)):
         bits, r, raised = creases.regions[t], i4(0), i4(0)
         while bits:

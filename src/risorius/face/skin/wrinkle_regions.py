@@ -17,7 +17,7 @@ from ...reading.toml import package_text, parse_rows
 from ..head.face_coordinates import FaceCoordinates
 from ..head.head import Head
 from .compression import Zone
-from .layouts import Dimples, Fan, Fold, Layout, Lines, Millimetres, Spacing
+from .wrinkle_layouts import Dimples, Fan, Fold, Layout, Lines, Millimetres, Spacing
 
 TABLE = "wrinkles.toml"
 _LAYOUTS = ("lines", "fan", "fold", "dimples")

@@ -10,8 +10,8 @@ import numpy as np
 
 from ...core.arrays import Array, ByteArray, Float32Array, IntArray
 from ...face.head.head import Head
-from ...face.skin.regions import place_regions
-from ...render.creases import Creases, lay_creases
+from ...face.skin.wrinkle_regions import place_regions
+from ...render.wrinkle_table import WrinkleTable, lay_creases
 from .stage_table import StageFolds
 
 SLOTS = 4
@@ -19,7 +19,7 @@ STEP = 0.01
 """mm of height to one of a face's whole numbers, of which 255 is the highest."""
 
 
-class HeadFolds:
+class HeadWrinkles:
     """The places of a head's wrinkles.
 
     If more than SLOTS regions meet, the two that share the fewest vertices have one slot: there, at the
@@ -62,7 +62,7 @@ class HeadFolds:
         return targets.tobytes() + regions.tobytes() + places.tobytes()
 
 
-def _near(creases: Creases, triangles: IntArray) -> ByteArray:
+def _near(creases: WrinkleTable, triangles: IntArray) -> ByteArray:
     """Return which vertices the triangles of each region have, bool (R, N1)."""
     near = np.zeros((len(creases.style), len(creases.place)), bool)
     for region, own in enumerate(near):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from risorius.face.head.face_coordinates import FaceCoordinates, plateau, ripple
-from risorius.face.skin.layouts import Dimples, Fan, Fold, Lines
+from risorius.face.skin.wrinkle_layouts import Dimples, Fan, Fold, Lines
 
 MARKS = FaceCoordinates(np.zeros((68, 3)), 1.0)
 LINES = Lines(

@@ -10,13 +10,13 @@ import pytest
 from risorius.core.action_units import resolve_targets
 from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.face.head.head import load_head
-from risorius.face.skin.layouts import Fold
-from risorius.face.skin.regions import place_regions, region_names
+from risorius.face.skin.wrinkle_layouts import Fold
+from risorius.face.skin.wrinkle_regions import place_regions, region_names
 from risorius.face.solve import FaceSolver
 from risorius.looks.head_model import head_model
-from risorius.render.creases import DIMPLES, FOLD, FURROW, KIND, SHARE, lay_creases
-from risorius.render.materials.folds import pit, ridge
+from risorius.render.materials.wrinkle_normals import pit, ridge
 from risorius.render.software_renderer import SoftwareRenderer
+from risorius.render.wrinkle_table import DIMPLES, FOLD, FURROW, KIND, SHARE, lay_creases
 
 SIDE = 720
 

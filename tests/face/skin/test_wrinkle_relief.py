@@ -5,8 +5,8 @@ import numpy as np
 from risorius.face.head.face_coordinates import FaceCoordinates
 from risorius.face.head.head import load_head
 from risorius.face.muscles.fold_prevention import Distances, altitudes
-from risorius.face.skin.regions import place_regions
-from risorius.face.skin.relief import NARROWED, relief
+from risorius.face.skin.wrinkle_regions import place_regions
+from risorius.face.skin.wrinkle_relief import NARROWED, relief
 from risorius.face.solve import FaceSolver
 
 from ..conftest import values_of
