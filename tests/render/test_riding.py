@@ -4,7 +4,7 @@ import numpy as np
 
 from risorius.looks.head_model import FACIAL_HAIRS
 from risorius.looks.normals import Normals
-from risorius.looks.riding import RidingHairs
+from risorius.looks.root_attachment import RootedHairs
 from risorius.render.ribbons import WHOLE, ribbons
 from risorius.render.software_renderer import SoftwareRenderer
 
@@ -30,7 +30,7 @@ def drawn(model, skin, hairs):
 
 
 def test_hairs_of_files_and_pages_turn_with_the_skin_as_those_of_pictures(model, face):
-    riding = RidingHairs(model)
+    riding = RootedHairs(model)
     for targets in ({}, {"AU43": 1.0}, {"AU1": 1.0, "AU4": 1.0}):
         skin = face(**targets).skin
         points = riding.points(skin)
@@ -42,7 +42,7 @@ def test_hairs_of_files_and_pages_turn_with_the_skin_as_those_of_pictures(model,
 
 def test_lashes_turn_down_with_the_lids(model, face):
     """They stayed as at rest in pages and files, as if they grew out of the brows' bone."""
-    riding, hairs = RidingHairs(model), model.hairs["lashes"]
+    riding, hairs = RootedHairs(model), model.hairs["lashes"]
 
     def lines(**targets):
         return midlines(hairs, riding.points(face(**targets).skin)["lashes"])
@@ -56,7 +56,7 @@ def test_lashes_turn_down_with_the_lids(model, face):
 
 
 def test_displacements_are_those_from_rest(model, face):
-    riding, skin = RidingHairs(model), face(AU43=1.0).skin
+    riding, skin = RootedHairs(model), face(AU43=1.0).skin
     rest = model.parts()
     moves = riding.moves(skin - rest["skin"].points)
     for name, points in riding.points(skin).items():

@@ -15,7 +15,7 @@ from risorius.face.solve import FaceSolver
 from risorius.looks.anatomy import find_anatomy
 from risorius.looks.garment import neckline
 from risorius.looks.head_model import head_model
-from risorius.looks.riding import RidingHairs
+from risorius.looks.root_attachment import RootedHairs
 from risorius.ports.page.face_packer import FRAMES, PARTS, POSE, STEP
 from risorius.ports.page.head_glb import head_glb
 from risorius.ports.page.head_shade import HEM_STEPS, light, shade
@@ -99,7 +99,7 @@ def test_wrinkles_of_all_heads_have_a_slot_each(name):
 def test_brows_and_lashes_turn_with_the_skin_as_the_library_says(stage, faces):
     _, _, positions = unpacked(stage, stage.packed(FRAMES, 1, 0, faces[:1]))
     parts = {part.name: part for part in stage.described().parts}
-    for name, points in RidingHairs(head_model(stage.head)).points(faces[0].skin).items():
+    for name, points in RootedHairs(head_model(stage.head)).points(faces[0].skin).items():
         part = parts[name]
         assert np.abs(positions[0][part.first : part.first + part.count] - points).max() <= 0.51 * STEP
 

@@ -11,8 +11,8 @@ import numpy as np
 from ..core.arrays import AnyArray, Array
 from ..face.head.identity import Looks
 from .anatomy import Anatomy
+from .hair_cache import cached_hairs
 from .hairline import grow_hairline
-from .kept_hairs import kept_hairs
 from .medium_hair import grow_medium
 from .parting import aside
 from .scalp import Combed, flow
@@ -41,11 +41,11 @@ def grow_hair(anatomy: Anatomy, surface: Surface, colour: Array, looks: Looks) -
         return {}
     inputs = [*grown_on(anatomy, surface), colour, np.asarray([looks.hairs, looks.wave])]
     grow = partial(_STYLES[style], anatomy, surface, colour, looks)
-    grown = {"hair": kept_hairs(f"hair-{style}", inputs, grow)}
+    grown = {"hair": cached_hairs(f"hair-{style}", inputs, grow)}
     if style in _EDGED:
         skin = linear(looks.skin)
         edge = partial(grow_hairline, anatomy, surface, colour, skin, looks.hairs, _EDGED[style])
-        grown["hairline"] = kept_hairs(f"hairline-{style}", [*inputs, skin], edge)
+        grown["hairline"] = cached_hairs(f"hairline-{style}", [*inputs, skin], edge)
     return grown
 
 

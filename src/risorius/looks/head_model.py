@@ -12,8 +12,8 @@ from ..face.head.identity import Looks
 from .anatomy import Anatomy, find_anatomy
 from .brows import grow_brows
 from .greying import greyed, greyed_colour
+from .hair_cache import cached_hairs
 from .hair_styles import grow_hair, grown_on
-from .kept_hairs import kept_hairs
 from .lashes import grow_lashes
 from .parts import Part, eye_parts, hair_part, skin_part, skin_surface, teeth_part, tongue_part
 from .srgb import linear
@@ -80,12 +80,12 @@ def _made(head: Head, looks: Looks) -> HeadModel:
         tongue_part(head),
     ]
     hairs = {
-        "brows": kept_hairs(
+        "brows": cached_hairs(
             "brows",
             [*ground, brows, skin, looks.brow_hairs],
             lambda: grow_brows(anatomy, surface, brows, skin, looks.brow_hairs),
         ),
-        "lashes": kept_hairs(
+        "lashes": cached_hairs(
             "lashes",
             [*ground, head.lid_pairs[0], head.lid_pairs[1], head.eye_centre, hair, skin],
             lambda: grow_lashes(head, surface, 0.35 * hair, skin),

@@ -22,7 +22,7 @@ from ...face.frame import FaceFrame
 from ...face.head.head import Head
 from ...looks.head_model import head_model
 from ...looks.parts import Part
-from ...looks.riding import RidingHairs
+from ...looks.root_attachment import RootedHairs
 from ..formats import register
 from ..writable import WritableTake, WriteOptions
 from .basis import ClipBasis
@@ -43,7 +43,7 @@ def write_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
     if len(take.performance.values) <= 2 and take.audio is None:
         still(head, parts, next(take.faces(progress=options.progress)), _asset(options)).save(path)
         return
-    lashes, brows = (RidingHairs(model, (name,)) for name in ("lashes", "brows"))
+    lashes, brows = (RootedHairs(model, (name,)) for name in ("lashes", "brows"))
     rest = np.concatenate([parts[name].points for name in _SHOWN])
     basis, turns = ClipBasis(rest), Turns()
     for frame in take.faces(progress=options.progress):
@@ -80,7 +80,7 @@ def write_rig_glb(take: WritableTake, path: Path, options: WriteOptions) -> None
 def rig_scene(head: Head, gltf: Gltf) -> GlbScene:
     """Build the head at rest with its 52 shapes as morph targets; raise HeadError if it has none."""
     model, shapes = head_model(head), arkit_shapes(head)
-    parts, hairs = model.parts(), RidingHairs(model)
+    parts, hairs = model.parts(), RootedHairs(model)
     moving = {name: _moves(hairs, _shape(shapes, index)) for index, name in enumerate(SHAPES)}
     for moves in moving.values():
         moves.setdefault("skin", np.zeros_like(parts["skin"].points))
@@ -94,7 +94,7 @@ def still(head: Head, parts: Mapping[str, Part], frame: FaceFrame, asset: Mappin
     skin = frame.skin.astype(np.float64)
     posed = {"skin": skin, "tongue": frame.tongue.astype(np.float64)}
     posed["teeth_lower"] = frame.teeth_lower.astype(np.float64)
-    posed |= RidingHairs(head_model(head)).points(skin)
+    posed |= RootedHairs(head_model(head)).points(skin)
     gltf = Gltf(**asset)
     scene = GlbScene(head, gltf, parts, posed=posed)
     scene.build()
@@ -135,7 +135,7 @@ def animate(scene: GlbScene, times: Array, weights: Mapping[str, Array], turns: 
     animation.finish()
 
 
-def _moves(hairs: RidingHairs, moved: Mapping[str, Array]) -> dict[str, Array]:
+def _moves(hairs: RootedHairs, moved: Mapping[str, Array]) -> dict[str, Array]:
     """Return displacements by part: those given, and of the hairs on the skin; none for resting parts."""
     everything = {**moved, **hairs.moves(moved["skin"])}
     return {name: move for name, move in everything.items() if np.abs(move).max() > _SMALL}

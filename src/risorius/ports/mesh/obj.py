@@ -17,7 +17,7 @@ from ...face.frame import FaceFrame
 from ...face.head.head import Head
 from ...looks.head_model import head_model
 from ...looks.parts import Part
-from ...looks.riding import RidingHairs
+from ...looks.root_attachment import RootedHairs
 from ...looks.srgb import srgb_encode
 from ..formats import register
 from ..table import write_lines
@@ -41,7 +41,7 @@ def placed(head: Head, parts: Mapping[str, Part], frame: FaceFrame) -> dict[str,
     points = {name: part.points for name, part in parts.items()}
     points |= {"skin": skin, "tongue": frame.tongue.astype(np.float64)}
     points["teeth_lower"] = frame.teeth_lower.astype(np.float64)
-    points |= RidingHairs(head_model(head)).points(skin)
+    points |= RootedHairs(head_model(head)).points(skin)
     for name, centre, turn in zip(_EYES, head.eye_centre, frame.eye_rotation, strict=True):
         points[name] = (points[name] - centre) @ turn.T + centre
     share = np.asarray(head.skin.matrix @ head.neck_weight)[:, None]

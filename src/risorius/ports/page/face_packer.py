@@ -23,7 +23,7 @@ from ...looks.eyeball import pupil_axes
 from ...looks.head_model import FACIAL_HAIRS, head_model
 from ...looks.parts import Part
 from ...looks.perfusion import gained_by_lips
-from ...looks.riding import RidingHairs
+from ...looks.root_attachment import RootedHairs
 from ...looks.srgb import linear
 from ..mesh.gltf import quaternions
 from .head_shade import blood, light
@@ -46,7 +46,7 @@ class FacePacker:
         self.head = head
         model = head_model(head)
         self.head_parts: dict[str, Part] = model.parts()
-        self._hairs = RidingHairs(model)
+        self._hairs = RootedHairs(model)
         points = np.concatenate([self.head_parts[name].points for name in PARTS])
         self.vertices = len(points)
         self.origin = np.round(0.5 * (points.min(axis=0) + points.max(axis=0)))

@@ -16,7 +16,7 @@ from .strands import Strands
 _FIELDS = tuple(field.name for field in fields(Strands))
 
 
-def kept_hairs(name: str, inputs: Sequence[npt.ArrayLike], grow: Callable[[], Strands]) -> Strands:
+def cached_hairs(name: str, inputs: Sequence[npt.ArrayLike], grow: Callable[[], Strands]) -> Strands:
     """Return the hairs that `grow` returns from `inputs`, from disk if they grew before (`cached_arrays`)."""
 
     def compute() -> tuple[AnyArray, ...]:

@@ -13,7 +13,7 @@ from .normals import Normals
 from .strands import Strands, flat_ribbons
 
 
-class RidingHairs:
+class RootedHairs:
     """Hairs on a model's face, for programs that move each vertex: ribbons as `HeadModel.parts` has them.
 
     `names` are those parts of `FACIAL_HAIRS` that are wanted. Renderers that turn ribbons towards the camera
