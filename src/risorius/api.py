@@ -17,8 +17,8 @@ from .errors import InputError, Place, UnusedSettingError, check_number
 from .machine.paths import is_file, path_of
 from .pipeline import combine, perform
 from .ports.curves.performance_json import read_performance_file
+from .ports.output_files import check_targets
 from .ports.score.score_json import read_score_file
-from .ports.targets import check_targets
 from .rules.emotions import Display, Displays, parse_display
 from .rules.poses import posed
 from .rules.rule_set import emotions_of
@@ -154,7 +154,7 @@ def play(
     """
     from .face.head.head import head_of
     from .ports.formats import format_read
-    from .ports.readable import ReadOptions
+    from .ports.import_result import ReadOptions
 
     settings, path = checked(settings), path_of(capture)
     kind = format_read(path)

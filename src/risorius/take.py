@@ -126,8 +126,8 @@ class Take:
 
         Raises OutputError if a file cannot be written; then none is.
         """
-        from .ports.targets import check_targets, write_targets
-        from .ports.writable import WriteOptions
+        from .ports.export_source import WriteOptions
+        from .ports.output_files import check_targets, write_targets
 
         chosen = self.settings
         transparent = chosen.look.transparent

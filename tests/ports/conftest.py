@@ -18,7 +18,7 @@ from risorius.core.progress import Progress, quiet
 from risorius.core.score import Score
 from risorius.core.utterance import Utterance
 from risorius.ports.curves.landmarks_csv import COLUMNS
-from risorius.ports.writable import WritableTake
+from risorius.ports.export_source import WritableTake
 
 if TYPE_CHECKING:
     from risorius.face.fit.arkit_fit import ArkitTrack

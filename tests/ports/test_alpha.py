@@ -10,8 +10,8 @@ import pytest
 from risorius.core.arrays import ByteArray
 from risorius.core.utterance import Utterance
 from risorius.errors import OutputError
-from risorius.ports.targets import check_targets, write_targets
-from risorius.ports.writable import WritableTake, WriteOptions
+from risorius.ports.export_source import WritableTake, WriteOptions
+from risorius.ports.output_files import check_targets, write_targets
 
 TakeMaker = Callable[..., WritableTake]
 COLOUR = (180, 90, 60)

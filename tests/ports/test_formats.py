@@ -113,13 +113,13 @@ def test_checking_and_listing_import_no_writer() -> None:
     program = """
 import sys
 from risorius.cli.listing import outputs
-from risorius.ports.targets import check_targets
+from risorius.ports.output_files import check_targets
 outputs()
 check_targets(["x.mp4", "x.glb", "x.arkit.csv"])
 writers = [name for name in sys.modules if name.startswith("risorius.ports.")]
 print(*sorted({"numpy", "numba", "scipy", "PIL"} & set(sys.modules)), *sorted(writers))
 """
-    expected = [f"risorius.ports.{name}" for name in ("formats", "targets", "writable")]
+    expected = [f"risorius.ports.{name}" for name in ("export_source", "formats", "output_files")]
     assert _run(program).split() == expected
 
 
@@ -142,7 +142,7 @@ import sys
 from pathlib import Path
 sys.path.append({str(tmp_path)!r})
 import small
-from risorius.ports.targets import check_targets, write_targets
+from risorius.ports.output_files import check_targets, write_targets
 path = Path({str(tmp_path)!r}) / "x.small"
 write_targets(None, check_targets([path]))
 print(path.read_text())

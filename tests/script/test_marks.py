@@ -206,7 +206,7 @@ def test_channels(text: str, channel: str) -> None:
         ('<BLINK time="0" intensity="0.5" side="left"/>', {"orbicularis_oculi_palpebralis.left": 0.5}),
     ],
 )
-def test_targets(text: str, targets: dict[str, float]) -> None:
+def test_output_files(text: str, targets: dict[str, float]) -> None:
     found = in_parameters(only(text).targets)
     assert {name: found.get(name) for name in targets} == pytest.approx(targets)
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from ..api import displays_of
 from ..errors import InputError, Place, RisoriusError, UnusedSettingError
 from ..machine.paths import is_utf8
-from ..ports.targets import Target, check_alpha
+from ..ports.output_files import OutputFile, check_alpha
 from ..rules.emotions import Displays
 from ..rules.profiles import attitude
 from ..rules.rule_set import emotions_of, rule_set_of
@@ -86,7 +86,7 @@ class JobMaker:
         outputs = tuple(pattern.name(cells) for pattern in self.patterns)
         reject_unwritten(settings, [pattern.format for pattern in self.patterns])
         if settings.look.transparent:
-            check_alpha(Target(local_path(pattern.text), pattern.format) for pattern in self.patterns)
+            check_alpha(OutputFile(local_path(pattern.text), pattern.format) for pattern in self.patterns)
         sheet = None if self.sheets is None else str(self.sheets / f"{name}.png")
         given = replace(self._input(cells), language=settings.language)
         return BatchJob(name, row.place, given, emotions, settings, outputs, sheet)

@@ -273,7 +273,7 @@ def check_outputs(
     change none of them.
     """
     from ..ports.formats import Need
-    from ..ports.targets import check_targets
+    from ..ports.output_files import check_targets
     from ..unused_settings import reject_unwritten
 
     alpha = settings is not None and settings.look.transparent

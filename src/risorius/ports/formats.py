@@ -19,8 +19,8 @@ from ..core.registry import Registry, registrations
 from ..errors import InputError, OutputError, Place, unknown
 
 if TYPE_CHECKING:
-    from .readable import PlayedFile, ReadOptions
-    from .writable import WritableTake, WriteOptions
+    from .export_source import WritableTake, WriteOptions
+    from .import_result import PlayedFile, ReadOptions
 
 Writer = Callable[["WritableTake", Path, "WriteOptions"], None]
 """Fills a file, which is empty and stands beside the final one."""

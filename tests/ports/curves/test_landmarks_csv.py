@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from risorius.ports.curves.landmarks_csv import write_landmarks_csv
-from risorius.ports.writable import WritableTake, WriteOptions
+from risorius.ports.export_source import WritableTake, WriteOptions
 
 EXPECTED = [
     "time_s",

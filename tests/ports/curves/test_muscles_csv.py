@@ -8,7 +8,7 @@ import pytest
 
 from risorius.core.parameters import NAMES
 from risorius.ports.curves.muscles_csv import write_muscles_csv
-from risorius.ports.writable import WritableTake, WriteOptions
+from risorius.ports.export_source import WritableTake, WriteOptions
 
 
 @pytest.mark.parametrize("fps", [Fraction(30), Fraction(24000, 1001)])

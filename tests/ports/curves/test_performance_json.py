@@ -12,7 +12,7 @@ from risorius.core.score import Score
 from risorius.core.utterance import Utterance
 from risorius.errors import InputError
 from risorius.ports.curves.performance_json import read_performance_file, write_performance_json
-from risorius.ports.writable import WritableTake, WriteOptions
+from risorius.ports.export_source import WritableTake, WriteOptions
 
 SMILE = Movement("emotion", 0.0, 0.5, 0.1, 0.1, {"zygomatic_major.left": 1 / 3})
 

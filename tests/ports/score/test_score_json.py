@@ -16,8 +16,8 @@ from risorius.core.parameters import PARAMETERS
 from risorius.core.score import BlendSettings, Score
 from risorius.core.time import on_tick
 from risorius.errors import InputError
+from risorius.ports.export_source import WritableTake, WriteOptions
 from risorius.ports.score.score_json import read_score_file, score_to_json, write_score_json
-from risorius.ports.writable import WritableTake, WriteOptions
 from tests.profiles import examples
 
 MINIMAL = (

@@ -11,10 +11,10 @@ from risorius.core.audio import Audio
 from risorius.core.score import Score
 from risorius.core.utterance import Accent, Syllable, Utterance
 from risorius.errors import InputError, RisoriusWarning
+from risorius.ports.export_source import WritableTake
+from risorius.ports.output_files import check_targets, write_targets
 from risorius.ports.score.score_json import read_score_file
 from risorius.ports.score.speech_json import SpeechDocument
-from risorius.ports.targets import check_targets, write_targets
-from risorius.ports.writable import WritableTake
 from risorius.reading.json_text import parse_json
 from risorius.reading.schema import placed
 

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 
 from risorius.core.utterance import Utterance
 from risorius.errors import OutputError
+from risorius.ports.export_source import WritableTake, WriteOptions
 from risorius.ports.speech.subtitles import LINE, LINES, subtitles, write_srt, write_vtt
-from risorius.ports.writable import WritableTake, WriteOptions
 from tests.profiles import examples
 
 TIMES = re.compile(r"\d\d:\d\d:\d\d[,.]\d{3} --> \d\d:\d\d:\d\d[,.]\d{3}")

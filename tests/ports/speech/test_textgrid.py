@@ -9,8 +9,8 @@ from praatio import textgrid as praatio_textgrid
 
 from risorius.core.utterance import Accent, Boundary, Phone, Utterance
 from risorius.errors import OutputError
+from risorius.ports.export_source import WritableTake, WriteOptions
 from risorius.ports.speech.textgrid import phone_label, write_textgrid
-from risorius.ports.writable import WritableTake, WriteOptions
 from risorius.script.textgrid import read_textgrid
 from risorius.speech.recordings.labelled import utterance_of_labels
 from risorius.speech.synthesis import synthesize_line

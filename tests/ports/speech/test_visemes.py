@@ -9,6 +9,7 @@ import pytest
 
 from risorius.core.utterance import Utterance
 from risorius.errors import OutputError, SpeechWarning
+from risorius.ports.export_source import WritableTake, WriteOptions
 from risorius.ports.speech.azure_json import write_azure_json
 from risorius.ports.speech.oculus_csv import write_oculus_csv
 from risorius.ports.speech.rhubarb import (
@@ -18,7 +19,6 @@ from risorius.ports.speech.rhubarb import (
     write_rhubarb_xml,
 )
 from risorius.ports.speech.visemes import OCULUS, viseme_of, viseme_table
-from risorius.ports.writable import WritableTake, WriteOptions
 
 WRITERS = (
     write_rhubarb_json,

@@ -6,8 +6,8 @@ import pytest
 
 from risorius.core.audio import Audio
 from risorius.errors import OutputError
+from risorius.ports.export_source import WritableTake, WriteOptions
 from risorius.ports.speech.wav import write_wav
-from risorius.ports.writable import WritableTake, WriteOptions
 
 
 def test_silence_of_a_score_is_no_voice(tmp_path: Path, take_of: Callable[..., WritableTake]) -> None:

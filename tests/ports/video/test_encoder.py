@@ -12,10 +12,10 @@ import pytest
 from risorius.core.arrays import ByteArray
 from risorius.errors import OutputError, RisoriusWarning
 from risorius.machine.atomic import replacing
-from risorius.ports.targets import check_targets, write_targets
+from risorius.ports.export_source import WritableTake, WriteOptions
+from risorius.ports.output_files import check_targets, write_targets
 from risorius.ports.video.encoder import VideoEncoder
 from risorius.ports.video.film import write_film
-from risorius.ports.writable import WritableTake, WriteOptions
 
 SIZE = (320, 320)
 NOISE = np.random.default_rng(0).integers(0, 256, (SIZE[1], SIZE[0], 3)).astype(np.uint8)
@@ -171,7 +171,7 @@ import sys
 from fractions import Fraction
 from pathlib import Path
 import numpy as np
-import risorius.ports.targets
+import risorius.ports.output_files
 heavy = {"av", "PIL", "praatio"} & set(sys.modules)
 from risorius.ports.video.encoder import VideoEncoder
 from risorius.ports.video.film import write_film

@@ -15,8 +15,8 @@ import pytest
 
 from risorius.core.arrays import Array, ByteArray
 from risorius.core.audio import Audio
+from risorius.ports.export_source import WritableTake, WriteOptions
 from risorius.ports.video.mp4 import write_mp4
-from risorius.ports.writable import WritableTake, WriteOptions
 
 TakeMaker = Callable[..., WritableTake]
 SoundMaker = Callable[..., Audio]

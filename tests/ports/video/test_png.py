@@ -6,8 +6,8 @@ import pytest
 from PIL import Image
 
 from risorius.errors import InputError
+from risorius.ports.export_source import WritableTake, WriteOptions
 from risorius.ports.video.png import frame_at, write_png
-from risorius.ports.writable import WritableTake, WriteOptions
 
 
 @pytest.mark.parametrize("seconds", [-0.1, 1.1, float("nan"), float("inf")])

@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from risorius.errors import InputError
+from risorius.ports.export_source import WritableTake, WriteOptions
 from risorius.ports.video.png import write_png
 from risorius.ports.video.sheet import GAP, LABEL, MAX_PICTURES, WIDTH, sheet_frames, write_sheet
-from risorius.ports.writable import WritableTake, WriteOptions
 
 
 @pytest.mark.parametrize(

@@ -26,10 +26,10 @@ from ...face.fit.arkit_fit import ArkitFit, ArkitTrack
 from ...face.fit.lip_file import load_lip_rig
 from ...face.fit.muscle_fit import MuscleFit
 from ...face.solve import FaceSolver
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
-from ..readable import ReadOptions, ScoreFile
+from ..import_result import ReadOptions, ScoreFile
 from ..table import write_lines
-from ..writable import WritableTake, WriteOptions
 from .capture import (
     GAZE_ANGLES,
     HEAD_ANGLES,

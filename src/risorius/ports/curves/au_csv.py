@@ -24,10 +24,10 @@ from ...core.progress import Progress
 from ...errors import InputError, Place, unknown
 from ...face.frame import FaceFrame
 from ...face.numerics.rotations import about_axis, rotation_angles
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
-from ..readable import ReadOptions, ScoreFile
+from ..import_result import ReadOptions, ScoreFile
 from ..table import write_lines
-from ..writable import WritableTake, WriteOptions
 from .action_unit_fit import ActionUnitFit
 from .capture import (
     GAZE_ANGLES,

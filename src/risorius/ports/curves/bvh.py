@@ -15,9 +15,9 @@ from ...core.arrays import Array
 from ...core.progress import Progress
 from ...face.frame import FaceFrame
 from ...face.head.head import Head
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from ..table import write_lines
-from ..writable import WritableTake, WriteOptions
 
 _CM = 0.1
 _ORDER = "Zrotation Xrotation Yrotation"

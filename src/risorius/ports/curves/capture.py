@@ -22,7 +22,7 @@ from ...core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
 from ...core.score import BlendSettings, Score
 from ...core.units import MAX_SECONDS
 from ...errors import InputError, Place
-from ..readable import ScoreFile
+from ..import_result import ScoreFile
 
 Parse = Callable[[str], Sequence[float]]
 """Reads a cell; raises ValueError with the expected form."""

@@ -24,10 +24,10 @@ from ...face.fit.feature_points import ANGLE, COUNT, LIDS, POINTS, SHOWN, TONGUE
 from ...face.fit.muscle_fit import TONGUE as TONGUE_FITTED
 from ...face.fit.muscle_fit import MuscleFit
 from ...face.solve import FaceSolver
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
-from ..readable import ReadOptions, ScoreFile
+from ..import_result import ReadOptions, ScoreFile
 from ..table import write_lines
-from ..writable import WritableTake, WriteOptions
 from .capture import GAZE_ANGLES, HEAD_ANGLES, check_length, read_lines, score_of_capture
 
 NumberedWords = tuple[int, list[str]]

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 
 from ...core.progress import Progress
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from ..table import TableRow, table_lines, write_lines
-from ..writable import WritableTake, WriteOptions
 
 MEASURES = (
     "lip_gap_mm",

@@ -9,9 +9,9 @@ import numpy as np
 
 from ...core.parameters import NAMES
 from ...core.performance import Performance
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from ..table import table_lines, write_lines
-from ..writable import WritableTake, WriteOptions
 
 COLUMNS = ("time_s", *NAMES)
 

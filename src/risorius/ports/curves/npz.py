@@ -16,8 +16,8 @@ import numpy as np
 from ...core.arrays import AnyArray
 from ...core.parameters import NAMES
 from ...core.performance import Performance
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
-from ..writable import WritableTake, WriteOptions
 
 
 def write_npz(take: WritableTake, path: Path, _options: WriteOptions) -> None:

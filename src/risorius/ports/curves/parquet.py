@@ -12,8 +12,8 @@ import numpy as np
 from ...core.arkit import SHAPES
 from ...core.parameters import NAMES
 from ...errors import OutputError
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
-from ..writable import WritableTake, WriteOptions
 
 
 def write_parquet(take: WritableTake, path: Path, options: WriteOptions) -> None:

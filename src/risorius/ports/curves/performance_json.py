@@ -18,11 +18,11 @@ from ...errors import InputError, Place, unknown
 from ...reading.hints import Numbers, Then
 from ...reading.json_text import load_json
 from ...reading.schema import MisfitError, placed, within
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
+from ..import_result import PerformanceFile, ReadOptions
 from ..layout import write_json
-from ..readable import PerformanceFile, ReadOptions
 from ..score.score_json import VERSION, FormatVersion, ScoreDocument, score_to_json
-from ..writable import WritableTake, WriteOptions
 
 # Curves that were added up may miss their limits by rounding.
 _SLACK = 1e-6

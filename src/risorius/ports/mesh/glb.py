@@ -23,8 +23,8 @@ from ...face.head.head import Head
 from ...looks.head_model import head_model
 from ...looks.parts import Part
 from ...looks.root_attachment import RootedHairs
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
-from ..writable import WritableTake, WriteOptions
 from .basis import ClipBasis
 from .glb_scene import GlbScene
 from .gltf import Animation, Gltf, quaternions

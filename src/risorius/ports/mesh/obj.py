@@ -19,10 +19,10 @@ from ...looks.head_model import head_model
 from ...looks.parts import Part
 from ...looks.root_attachment import RootedHairs
 from ...looks.srgb import srgb_encode
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from ..table import write_lines
 from ..video.png import frame_at
-from ..writable import WritableTake, WriteOptions
 
 _EYES = ("eye_left", "eye_right")
 

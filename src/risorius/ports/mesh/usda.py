@@ -22,8 +22,8 @@ from ...face.numerics.rotations import head_rotation
 from ...looks.head_model import head_model
 from ...looks.parts import Part
 from ...looks.srgb import srgb_encode
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
-from ..writable import WritableTake, WriteOptions
 from .glb_paint import GlbPaint
 from .gltf import quaternion
 

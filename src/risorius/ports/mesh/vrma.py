@@ -18,8 +18,8 @@ from ...core.parameters import INDEX
 from ...face.fit.expressions import expressions, preset_weights
 from ...face.numerics.rotations import head_rotation
 from ...reading.json_text import JsonObject
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
-from ..writable import WritableTake, WriteOptions
 from .gltf import Animation, Gltf, quaternions
 
 EXTENSION, VERSION = "VRMC_vrm_animation", "1.0"

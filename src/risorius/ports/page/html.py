@@ -19,10 +19,10 @@ import numpy as np
 from ...browser import ROOT
 from ...core.channels import CHANNELS
 from ...core.score import Score
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from ..speech.subtitles import subtitles
 from ..table import write_lines
-from ..writable import WritableTake, WriteOptions
 from .face_packer import FacePacker
 from .head_glb import head_glb
 from .head_shade import shade

@@ -12,9 +12,9 @@ from xml.sax.saxutils import quoteattr
 
 from ...core.movement import Movement
 from ...script.bml_shapes import NAMESPACE, PEAKS
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from ..table import write_lines
-from ..writable import WritableTake, WriteOptions
 
 _BLOCK = "risorius"
 

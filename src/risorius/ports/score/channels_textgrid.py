@@ -12,10 +12,10 @@ from pathlib import Path
 from ...core.movement import Movement
 from ...core.performance import Performance
 from ...script.textgrid import INTERVALS, Label, Tier, textgrid_lines
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from ..speech.textgrid import speech_tiers
 from ..table import write_lines
-from ..writable import WritableTake, WriteOptions
 
 
 def write_channels_textgrid(take: WritableTake, path: Path, _options: WriteOptions) -> None:

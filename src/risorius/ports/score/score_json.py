@@ -14,10 +14,10 @@ from ...errors import InputError
 from ...reading.hints import Range, Then
 from ...reading.json_text import load_json
 from ...reading.schema import placed, within
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
+from ..import_result import ReadOptions, ScoreFile
 from ..layout import write_json
-from ..readable import ReadOptions, ScoreFile
-from ..writable import WritableTake, WriteOptions
 from .movement_json import Entry, entry_to_json
 from .speech_json import SpeechDocument, speech_to_json
 

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from ..layout import write_json
-from ..writable import WritableTake, WriteOptions
 from .visemes import Viseme, cues, said
 
 TICKS_PER_SECOND = 10_000_000

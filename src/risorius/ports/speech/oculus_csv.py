@@ -11,9 +11,9 @@ from pathlib import Path
 import numpy as np
 
 from ...core.arrays import Array
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from ..table import table_lines, write_lines
-from ..writable import WritableTake, WriteOptions
 from .visemes import OCULUS, Cue, Viseme, cues, said
 
 FADE = 0.08

@@ -11,10 +11,10 @@ from pathlib import Path
 from xml.sax.saxutils import escape
 
 from ...core.utterance import Utterance
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from ..layout import write_json
 from ..table import write_lines
-from ..writable import WritableTake, WriteOptions
 from .rhubarb_timing import IDLE, paused, tweened
 from .visemes import Cue, Viseme, cues, said
 

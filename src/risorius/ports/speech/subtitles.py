@@ -15,9 +15,9 @@ from xml.sax.saxutils import escape
 
 from ...core.utterance import Phrase, Utterance
 from ...core.written_words import written_words
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from ..table import write_lines
-from ..writable import WritableTake, WriteOptions
 from .visemes import Cue, said
 
 LINE, LINES = 42, 2

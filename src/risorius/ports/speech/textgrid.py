@@ -9,9 +9,9 @@ from ...core.utterance import Phone, Utterance
 from ...errors import OutputError
 from ...languages import language_of
 from ...script.textgrid import INTERVALS, POINTS, Label, Tier, textgrid_lines
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from ..table import write_lines
-from ..writable import WritableTake, WriteOptions
 
 # ARPAbet writes primary stress 1 and secondary 2; Phone.stress counts upwards with strength.
 _STRESS_DIGIT = {0: "0", 1: "2", 2: "1"}

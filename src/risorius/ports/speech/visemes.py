@@ -13,7 +13,7 @@ from ...languages.phones import check_phones
 from ...languages.phonesets import IPA
 from ...reading.frozen import FrozenDict
 from ...reading.toml import package_text, parse_rows
-from ..writable import WritableTake
+from ..export_source import WritableTake
 
 OCULUS = ("sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "ih", "oh", "ou")
 """The 15 visemes of OVRLipSync, in its order."""

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from ...core.audio import Audio
 from ...errors import OutputError
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
-from ..writable import WritableTake, WriteOptions
 
 
 def write_wav(take: WritableTake, path: Path, _options: WriteOptions) -> None:

@@ -12,7 +12,7 @@ from pathlib import Path
 from ...core.arrays import Int16Array
 from ...core.audio import Audio
 from ...errors import warn
-from ..writable import WritableTake, WriteOptions
+from ..export_source import WritableTake, WriteOptions
 from .encoder import LostEncoderError, VideoEncoder
 
 

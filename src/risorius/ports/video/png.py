@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from ...core.performance import Performance
 from ...errors import InputError
+from ..export_source import WritableTake, WriteOptions
 from ..formats import register
-from ..writable import WritableTake, WriteOptions
 from .sheet import write_sheet
 
 if TYPE_CHECKING:

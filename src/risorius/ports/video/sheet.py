@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from ...core.arrays import ByteArray
 from ...core.look import Size
 from ...errors import InputError
-from ..writable import WritableTake, WriteOptions
+from ..export_source import WritableTake, WriteOptions
 
 if TYPE_CHECKING:
     from PIL.Image import Image as PillowImage

@@ -11,8 +11,8 @@ from pathlib import Path
 from ...core.audio import AudioWriter
 from ...errors import RisoriusError
 from ...machine.atomic import replacing
+from ...ports.import_result import ScoreFile
 from ...ports.layout import write_json
-from ...ports.readable import ScoreFile
 from ...ports.score.score_json import score_to_json
 from ...reading.schema import MisfitError
 from ..session.scores import parsed, read_score

@@ -14,7 +14,7 @@ from ...core.progress import Progress
 from ...errors import InputError
 from ...machine.atomic import replacing
 from ...ports.formats import FORMATS
-from ...ports.targets import check_targets
+from ...ports.output_files import check_targets
 from ...settings import Settings, settings_of
 from ...take import Take
 from .. import limits

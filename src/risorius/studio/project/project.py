@@ -22,7 +22,7 @@ from ...core.audio import Audio, AudioWriter
 from ...core.edits import Add, Edit, Keys
 from ...core.utterance import Utterance
 from ...errors import InputError
-from ...ports.readable import ScoreFile
+from ...ports.import_result import ScoreFile
 from ...ports.score.score_json import ScoreDocument, score_to_json
 from ...reading.hints import Then
 from ...reading.schema import placed, within

@@ -11,7 +11,7 @@ from ...core.progress import Progress
 from ...core.utterance import Utterance
 from ...errors import InputError, warnings_to
 from ...pipeline import compose, speak
-from ...ports.readable import ScoreFile
+from ...ports.import_result import ScoreFile
 from ...rules.emotions import Display, Displays
 from ...rules.rule_set import emotions_of
 from ...script import Script, parse_script

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ...core.score import BlendSettings
 from ...errors import InputError, Place
-from ...ports.readable import ScoreFile
+from ...ports.import_result import ScoreFile
 from ...ports.score.score_json import ScoreDocument
 from ...reading.json_text import JsonDocument, parse_json
 from ...reading.schema import placed

@@ -9,9 +9,9 @@ from risorius.core.arrays import ByteArray
 from risorius.core.audio import Audio
 from risorius.core.utterance import Utterance
 from risorius.errors import OutputError
+from risorius.ports.export_source import WritableTake, WriteOptions
 from risorius.ports.formats import FORMATS, Need
-from risorius.ports.targets import check_target, check_targets, write_targets
-from risorius.ports.writable import WritableTake, WriteOptions
+from risorius.ports.output_files import check_target, check_targets, write_targets
 
 TakeMaker = Callable[..., WritableTake]
 NOWHERE = Path("/proc")

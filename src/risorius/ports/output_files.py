@@ -13,8 +13,8 @@ from ..errors import OutputError, Place
 from ..machine.atomic import os_failure, replacing
 from ..machine.blas import one_thread
 from ..machine.paths import is_folder, path_of
+from .export_source import WritableTake, WriteOptions
 from .formats import FORMATS, FileFormat, Need, format_for
-from .writable import WritableTake, WriteOptions
 
 PathLike = str | os.PathLike[str]
 _WORDS = {Need.PIXELS: "pictures", Need.SPEECH: "spoken words"}
@@ -22,14 +22,14 @@ _USUAL = 6  # of the formats that are named in an error
 
 
 @dataclass(frozen=True, slots=True)
-class Target:
+class OutputFile:
     """A file to be written and its format."""
 
     path: Path
     format: FileFormat
 
 
-def check_target(path: PathLike, available: Collection[str] = tuple(Need)) -> Target:
+def check_target(path: PathLike, available: Collection[str] = tuple(Need)) -> OutputFile:
     """Return the target for `path` if it can be written.
 
     `available`: which of the needs ("curves", "vertices", "pixels", "speech") there will be.
@@ -41,7 +41,7 @@ def check_target(path: PathLike, available: Collection[str] = tuple(Need)) -> Ta
         raise OutputError("is a folder; expected a file name", Place(str(file)))
     if "\0" in str(file):
         raise OutputError(f"the name {str(file)!r} contains a null character; expected a file name")
-    target = Target(file, format_for(file))
+    target = OutputFile(file, format_for(file))
     missing = sorted(need for need in target.format.needs if need not in available)
     if missing:
         raise OutputError(_not_here(target.format, missing[0], available), Place(str(file)))
@@ -62,7 +62,7 @@ def _not_here(format: FileFormat, missing: Need, available: Collection[str]) -> 
 
 def check_targets(
     paths: Iterable[PathLike], available: Collection[str] = tuple(Need), *, alpha: bool = False
-) -> tuple[Target, ...]:
+) -> tuple[OutputFile, ...]:
     """Return the targets for all `paths`.
 
     Raises OutputError as `check_target`, if one is given twice, and with `alpha` as `check_alpha`.
@@ -79,7 +79,7 @@ def check_targets(
     return targets
 
 
-def check_alpha(targets: Iterable[Target]) -> None:
+def check_alpha(targets: Iterable[OutputFile]) -> None:
     """Raise OutputError for a target that cannot hold pictures with a transparent background."""
     for target in targets:
         if target.format.opaque:
@@ -94,7 +94,9 @@ def _shows(entry: FileFormat) -> bool:
     return Need.PIXELS in entry.needs
 
 
-def write_targets(take: WritableTake, targets: Sequence[Target], options: WriteOptions | None = None) -> None:
+def write_targets(
+    take: WritableTake, targets: Sequence[OutputFile], options: WriteOptions | None = None
+) -> None:
     """Write all targets; they appear together, when the last is complete, or not at all.
 
     A score refers to the `.wav` among the targets, if there is one. The bytes do not depend on the number of
@@ -112,7 +114,7 @@ def write_targets(take: WritableTake, targets: Sequence[Target], options: WriteO
             _write_one(take, target, temporary, options)
 
 
-def _write_one(take: WritableTake, target: Target, temporary: Path, options: WriteOptions) -> None:
+def _write_one(take: WritableTake, target: OutputFile, temporary: Path, options: WriteOptions) -> None:
     try:
         target.format.write(take, temporary, options)
     except OSError as error:
