@@ -10,7 +10,7 @@ from typing import Any
 
 from . import rules_fired
 from .page_requests import PageRequests
-from .session import looking
+from .session import queries
 from .session.session import Session
 from .wire import requests
 
@@ -80,12 +80,12 @@ REQUESTS = (
     _of_page(requests.FaceAt, PageRequests.face_at),
     _of_page(requests.Cancel, PageRequests.cancel),
     _of_page(requests.Dial, PageRequests.dial),
-    _asking(requests.SavePose, looking.save_pose),
-    _asking(requests.Explain, looking.explain),
-    _asking(requests.ChannelCurves, looking.channel_curves),
+    _asking(requests.SavePose, queries.save_pose),
+    _asking(requests.Explain, queries.explain),
+    _asking(requests.ChannelCurves, queries.channel_curves),
     _asking(requests.Compare, Session.compare),
     _asking(rules_fired.RulesFired, rules_fired.rules_fired),
-    _asking(requests.ProfileText, looking.profile_text),
+    _asking(requests.ProfileText, queries.profile_text),
     _of_page(requests.Export, PageRequests.export),
     _of_page(requests.CancelExport, PageRequests.cancel_export),
     _of_page(requests.Project, PageRequests.project),

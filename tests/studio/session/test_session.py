@@ -12,7 +12,7 @@ from risorius.core.progress import quiet
 from risorius.errors import InputError, RisoriusError
 from risorius.ports.score.score_json import score_to_json
 from risorius.studio.rules_fired import RulesFired, rules_fired
-from risorius.studio.session import describe, looking, performer
+from risorius.studio.session import describe, performer, queries
 from risorius.studio.session.session import Session
 from risorius.studio.wire import answers, requests, shared
 
@@ -208,7 +208,7 @@ def test_explanations_say_by_hand_and_name_the_block(session):
     perform(session, emotions=(shared.EmotionSpan("joy", 1.0),))
     edit(session, Keys("zygomatic_major.left", ((0.5, 0.3), (1.5, 0.3))))
     take = session.current.number
-    told = looking.explain(session, requests.Explain(take, 1.0, "zygomatic_major.left"), quiet)
+    told = queries.explain(session, requests.Explain(take, 1.0, "zygomatic_major.left"), quiet)
     (reason,) = told.reasons
     assert reason.value == pytest.approx(0.3)
     assert (reason.winner.channel, reason.winner.rule) == ("manual", "by hand")
@@ -217,7 +217,7 @@ def test_explanations_say_by_hand_and_name_the_block(session):
     rules = rules_fired(session, RulesFired(take), quiet).rules
     named = {block for rule in rules for block in rule.blocks}
     assert named == {b.id for b in session.current.blocks.values() if b.editable}
-    detail = looking.channel_curves(session, requests.ChannelCurves(take, "zygomatic_major.left"), quiet)
+    detail = queries.channel_curves(session, requests.ChannelCurves(take, "zygomatic_major.left"), quiet)
     assert "emotion" in {channel.channel for channel in detail.channels}
 
 
@@ -292,7 +292,7 @@ def test_what_is_prepared_changes_nothing_and_is_performed_as_if_it_had_not_been
 
 def test_an_emotion_that_is_saved_anew_is_not_that_which_was_prepared(session):
     def save(value):
-        looking.save_pose(session, requests.SavePose("mine", "emotion", {"AU12": value}), quiet)
+        queries.save_pose(session, requests.SavePose("mine", "emotion", {"AU12": value}), quiet)
 
     span = shared.EmotionSpan("mine", 1.0)
     save(0.2)

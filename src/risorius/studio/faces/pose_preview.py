@@ -18,7 +18,7 @@ from ...settings import Settings
 from ..session.session_files import SessionFiles
 from ..threads import on_thread
 from ..wire import answers, requests
-from .dials import SETTLED, DialledFace, dialled
+from .pose_editor import SETTLED, PoseEditor, dialled
 from .solvers import Solvers, stage_of
 from .streaming import Send
 
@@ -36,7 +36,7 @@ class PosePreview:
         self._loop = asyncio.get_running_loop()
         self._held = ExitStack()
         self._looks: tuple[str, float | None] | None = None
-        self._dial: DialledFace | None = None
+        self._dial: PoseEditor | None = None
         self._values: Array = np.zeros(len(NAMES))
         self._number, self._until = 0, 0.0
         self._last_turn, self._dragged = 0.0, False
@@ -74,7 +74,7 @@ class PosePreview:
         lent = self._solvers.lent(Settings(head=head, age=age))
         solver = await on_thread(self._threads, lent.__enter__)
         self._held.push(lent.__exit__)
-        self._dial, self._looks = DialledFace(solver), (head, age)
+        self._dial, self._looks = PoseEditor(solver), (head, age)
 
     async def _move(self) -> None:
         """Send faces until the skin rests and no dial was turned meanwhile; the last face is at rest."""

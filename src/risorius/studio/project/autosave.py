@@ -15,10 +15,10 @@ from ...ports.import_result import ScoreFile
 from ...ports.layout import write_json
 from ...ports.score.score_json import score_to_json
 from ...reading.schema import MisfitError
+from ..session.revision import Revision
 from ..session.scores import parsed, read_score
 from ..session.session import Session
 from ..session.session_files import SessionFiles, digest, write_text
-from ..session.version import Version
 from ..wire.marks import LaneStates, Markers
 from ..wire.messages import encoded, read_message
 from ..wire.shared import TakeInputs
@@ -84,7 +84,7 @@ class Autosave:
             write_text(path, json.dumps({"draft": encoded(draft)}, ensure_ascii=False))
         self._draft = draft
 
-    def _save_base(self, version: Version) -> dict[str, str | None]:
+    def _save_base(self, version: Revision) -> dict[str, str | None]:
         sound = None
         if version.utterance is not None:
             source = version.utterance.audio.path

@@ -28,10 +28,10 @@ from ...reading.hints import Then
 from ...reading.schema import placed, within
 from ...take import with_profile
 from ..session.choices import settings_of
+from ..session.revision import LostEdit, Revision
 from ..session.scores import parsed, score_file
 from ..session.session import Session
 from ..session.session_files import SessionFiles
-from ..session.version import LostEdit, Version
 from ..wire import requests, shared
 from ..wire.marks import LaneStates, Marker, Markers
 from ..wire.messages import encoded, read_message
@@ -109,7 +109,7 @@ class ProjectDocument:
 class Opened:
     """A project that has been opened."""
 
-    version: Version
+    version: Revision
     view: PageView
 
 
@@ -133,7 +133,7 @@ class Changes(Protocol):
         """The lanes that are muted, solo and locked."""
 
 
-def header(version: Version, view: PageView) -> dict[str, Any]:
+def header(version: Revision, view: PageView) -> dict[str, Any]:
     """Return a project's entries beside score and sound."""
     return {
         "risorius_project": VERSION,
@@ -201,11 +201,11 @@ def version_of(
     score_file: ScoreFile,
     saved: Changes,
     files: SessionFiles,
-) -> Version:
+) -> Revision:
     """Return the version of a session that a score and the changes in it make."""
     settings = with_profile(settings_of(inputs.choices, files.folder))
     base = score_file.score
-    return Version(
+    return Revision(
         inputs,
         base,
         base,

@@ -25,10 +25,10 @@ from ...unused_settings import values_read
 from .. import limits
 from ..wire.shared import EmotionSpan, Source, TakeInputs
 from .choices import blend_of, settings_of
+from .revision import Revision
 from .scores import adopted, parsed, read_score
 from .session_files import SessionFiles
 from .stage_cache import StageCache
-from .version import Version
 
 _MOST_VOICES = 8
 
@@ -43,7 +43,7 @@ class Performer:
         self._moved: StageCache[Utterance | None] = StageCache(_MOST_VOICES)
         self._scores: StageCache[ScoreFile] = StageCache(1)
 
-    def perform(self, inputs: TakeInputs, progress: Progress) -> Version:
+    def perform(self, inputs: TakeInputs, progress: Progress) -> Revision:
         """Plan a performance. Raises RisoriusError with one line."""
         if len(inputs.source.script) > limits.SCRIPT and inputs.source.format != "score":
             raise InputError(f"the script is longer than {limits.SCRIPT} characters")
@@ -60,7 +60,7 @@ class Performer:
             score = identified(compose(script, utterance, displays, settings))
         warnings = tuple(self._files.told(line) for line in odd)
         spent = {"voice": 1e3 * (said - begun), "plan": 1e3 * (time.perf_counter() - said)}
-        return Version(inputs, score, score, settings, utterance, warnings=warnings, milliseconds=spent)
+        return Revision(inputs, score, score, settings, utterance, warnings=warnings, milliseconds=spent)
 
     def adopted(self, inputs: TakeInputs) -> TakeInputs:
         """Return a request to perform a score with the score's own settings in its choices."""
@@ -70,10 +70,10 @@ class Performer:
             inputs, choices=adopted(inputs.choices, self._score_file(inputs.source).score.settings)
         )
 
-    def _scored(self, inputs: TakeInputs, settings: Settings) -> Version:
+    def _scored(self, inputs: TakeInputs, settings: Settings) -> Revision:
         score_file = self._score_file(inputs.source)
         score = identified(replace(score_file.score, settings=blend_of(inputs.choices)))
-        return Version(inputs, score, score, settings, score_file.utterance)
+        return Revision(inputs, score, score, settings, score_file.utterance)
 
     def _score_file(self, source: Source) -> ScoreFile:
         return self._scores.get(source, lambda: self._read(source))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from ...take import Take
 from .. import limits
 from ..wire.shared import Source, TakeInputs
-from .version import Version
+from .revision import Revision
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,7 +15,7 @@ class Prefetch:
     """A take of the text that a page shows."""
 
     inputs: TakeInputs
-    version: Version
+    version: Revision
     take: Take
 
 

@@ -22,12 +22,12 @@ from .. import limits
 from ..wire import answers, requests, shared, takes
 from ..wire.views import PageView
 from . import describe
-from .edits_carried import brought_back, carried
 from .history import History
 from .performer import Performer
 from .prefetch import Prefetch, worth_it
+from .rebase_edits import rebase, restore
+from .revision import LostEdit, Revision, lanes_worded, worded
 from .session_files import SessionFiles
-from .version import LostEdit, Version, lanes_worded, worded
 
 # Seconds after a change for which the skin still moves otherwise: 9 times as long as it takes to forget.
 SETTLING = 0.5
@@ -41,7 +41,7 @@ class SessionTake:
 
     number: int
     take: Take
-    version: Version
+    version: Revision
     blocks: describe.Blocks
     curves: dict[str, str]
 
@@ -53,7 +53,7 @@ class Session:
         self.name, self.folder = name, folder
         self.files = SessionFiles(folder)
         self.takes: OrderedDict[int, SessionTake] = OrderedDict()
-        self.history: History[Version] = History(limits.UNDO)
+        self.history: History[Revision] = History(limits.UNDO)
         self.current: SessionTake | None = None
         self.view = PageView()
         self.notes: tuple[str, ...] = ()
@@ -126,7 +126,7 @@ class Session:
     def compare(self, request: requests.Compare, progress: Progress) -> takes.TakeView:
         """Perform the same script with other choices and the same edits, as a second take."""
         version = self._performer.perform(self._inputs(request.choices, request.emotions), progress)
-        return self.described(self._live(carried(self.version(), version), progress))
+        return self.described(self._live(rebase(self.version(), version), progress))
 
     def edit(self, edit: Edit, progress: Progress) -> takes.TakeChange:
         """Make an edit."""
@@ -155,7 +155,7 @@ class Session:
     def bring_back(self, request: requests.BringBack, progress: Progress) -> takes.TakeChange:
         """Make something again that was lost when the text changed."""
         version, entry = self._lost(request.number)
-        after = brought_back(version, request.number)
+        after = restore(version, request.number)
         self.history.push(after, f"bring back: {entry.text}")
         return self._changed(after)
 
@@ -173,7 +173,7 @@ class Session:
         self.history.push(version, f"{what} and {rest} more" if rest else what)
         return self._changed(version)
 
-    def _edited(self, edits: Sequence[Edit]) -> Version:
+    def _edited(self, edits: Sequence[Edit]) -> Revision:
         """Return the version after several edits; raise InputError if one does not fit."""
         if not 0 < len(edits) <= limits.EDITS:
             raise InputError(f"{len(edits)} edits at once; expected 1 to {limits.EDITS}")
@@ -215,18 +215,18 @@ class Session:
         """The number of the last take; numbers are never used twice."""
         return self._number
 
-    def restore(self, version: Version, view: PageView, number: int = 0) -> None:
+    def restore(self, version: Revision, view: PageView, number: int = 0) -> None:
         """Restore a saved version; each of its edits can be undone. Takes are numbered from `number` on."""
         self._number = max(self._number, number)
         self._take_up(version, History(limits.UNDO), "perform")
         self.view = view
 
-    def open_version(self, version: Version, view: PageView) -> None:
+    def open_version(self, version: Revision, view: PageView) -> None:
         """Show the version of another project; undo leads through its edits to the earlier state."""
         self._take_up(version, self.history.copy(), OPENED)
         self.view = view
 
-    def _take_up(self, version: Version, history: History[Version], what: str) -> None:
+    def _take_up(self, version: Revision, history: History[Revision], what: str) -> None:
         """Go on with a version; on an error, nothing changes."""
         step = replace(version, score=version.base, edits=())
         # The edits of the opened version must not push older states out of the history.
@@ -242,14 +242,14 @@ class Session:
         self.current = self._live(step)
         self.history = history
 
-    def version(self) -> Version:
+    def version(self) -> Revision:
         """Return the present version; raise InputError before the first."""
         version = self.history.present
         if version is None:
             raise InputError("nothing is performed yet; expected 'perform' first")
         return version
 
-    def _lost(self, number: int) -> tuple[Version, LostEdit]:
+    def _lost(self, number: int) -> tuple[Revision, LostEdit]:
         version = self.version()
         lost = version.lost_made
         if number >= len(lost):
@@ -271,7 +271,7 @@ class Session:
         ready = self._prefetched(inputs)
         version = ready.version if ready else self._performer.perform(inputs, progress)
         if before is not None:
-            version = carried(before, version)
+            version = rebase(before, version)
         live = self._live(version, progress)
         self.history.push(version, what)
         self.current = live
@@ -279,13 +279,13 @@ class Session:
             self.draft = None
         return self.described(live)
 
-    def _changed(self, version: Version) -> takes.TakeChange:
+    def _changed(self, version: Revision) -> takes.TakeChange:
         before = self.current
         self.current = after = self._live(version)
         assert before is not None
         return self._difference(before, after)
 
-    def _live(self, version: Version, progress: Progress = quiet) -> SessionTake:
+    def _live(self, version: Revision, progress: Progress = quiet) -> SessionTake:
         """Return the take of a version, the existing one if there is one."""
         for live in self.takes.values():
             if live.version is version:
@@ -309,7 +309,7 @@ class Session:
             del self.takes[oldest]
         return live
 
-    def _performed(self, version: Version, progress: Progress = quiet) -> Take:
+    def _performed(self, version: Revision, progress: Progress = quiet) -> Take:
         frames = frame_count(version.score.duration, version.settings.fps)
         if frames > limits.FRAMES:
             raise InputError(f"the take would have {frames} frames; expected up to {limits.FRAMES}")
@@ -371,7 +371,7 @@ class Session:
         )
 
 
-def _lost_texts(version: Version) -> tuple[str, ...]:
+def _lost_texts(version: Revision) -> tuple[str, ...]:
     return tuple(entry.text for entry in version.lost_made)
 
 

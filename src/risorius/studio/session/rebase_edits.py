@@ -15,7 +15,7 @@ from ...core.edits import Add, ClearKeys, Delete, Edit, Keys, Move, Stretch
 from ...core.movement import Movement
 from ...errors import RisoriusError
 from ..wire.marks import Marker
-from .version import LostEdit, Version, worded
+from .revision import LostEdit, Revision, worded
 from .word_times import Fit, WordTimes
 
 NEAR = 0.25
@@ -32,8 +32,8 @@ class _Places:
     """The movement and the times of a new plan that correspond to those of the old one."""
 
     times: WordTimes
-    before: Version
-    after: Version
+    before: Revision
+    after: Revision
     found: dict[str, Movement | None]
 
     def movement(self, name: str) -> Movement | None:
@@ -63,7 +63,7 @@ class _Places:
         return min(near, key=rank, default=None)
 
 
-def carried(before: Version, after: Version) -> Version:
+def rebase(before: Revision, after: Revision) -> Revision:
     """Return the new plan `after` with the edits of `before`; edits that do not fit are in its `lost`."""
     version, left = _made(before.edits, before, after, after)
     lost: list[LostEdit] = []
@@ -90,14 +90,14 @@ def carried(before: Version, after: Version) -> Version:
     )
 
 
-def _moved_markers(before: Version, times: WordTimes, duration: float) -> tuple[Marker, ...]:
+def _moved_markers(before: Revision, times: WordTimes, duration: float) -> tuple[Marker, ...]:
     """Return the markers where their words are; those of words that are gone stand where these would."""
     return tuple(replace(marker, time=min(times.at(marker.time)[0], duration)) for marker in before.markers)
 
 
 def _made(
-    edits: Sequence[Edit], before: Version, plan: Version, version: Version
-) -> tuple[Version, list[Edit]]:
+    edits: Sequence[Edit], before: Revision, plan: Revision, version: Revision
+) -> tuple[Revision, list[Edit]]:
     """Return `version`, of the plan `plan`, with the edits of `before` that fit; and those that do not."""
     same = before.utterance is plan.utterance
     places = _Places(WordTimes(before.utterance, plan.utterance), before, plan, {})
@@ -110,7 +110,7 @@ def _made(
     return version, left
 
 
-def _retried(entry: LostEdit, plan: Version, version: Version) -> tuple[Version, list[Edit]]:
+def _retried(entry: LostEdit, plan: Revision, version: Revision) -> tuple[Revision, list[Edit]]:
     assert entry.origin is not None
     return _made(entry.edits, entry.origin, plan, version)
 
@@ -120,7 +120,7 @@ def _is_free(edit: Edit) -> bool:
     return isinstance(edit, Add | Keys | ClearKeys)
 
 
-def _translated(edit: Edit, places: _Places, version: Version) -> Edit:
+def _translated(edit: Edit, places: _Places, version: Revision) -> Edit:
     """Return an edit as it is in the new plan; raise _MisfitEditError if it has no place there."""
     if isinstance(edit, ClearKeys):
         return edit
@@ -133,7 +133,7 @@ def _translated(edit: Edit, places: _Places, version: Version) -> Edit:
     return _of_movement(edit, places, version)
 
 
-def _of_movement(edit: Edit, places: _Places, version: Version) -> Edit:
+def _of_movement(edit: Edit, places: _Places, version: Revision) -> Edit:
     name = cast(Move, edit).movement
     if all(m.id != name for m in places.before.base.movements):
         # Added by hand: it keeps its name.
@@ -172,7 +172,7 @@ def _near(time: float, places: _Places, shift: float) -> float:
     return found if fit else max(0.0, time + shift)
 
 
-def _lost(edits: list[Edit], before: Version, times: WordTimes) -> Iterator[LostEdit]:
+def _lost(edits: list[Edit], before: Revision, times: WordTimes) -> Iterator[LostEdit]:
     """Yield the results of edits, once for each movement and curve."""
     seen: set[str] = set()
     for edit in edits:
@@ -190,7 +190,7 @@ def _name(edit: Edit) -> str:
     return str(edit.id if isinstance(edit, Add) else edit.movement)
 
 
-def _again(name: str, before: Version, times: WordTimes) -> Add | Keys | None:
+def _again(name: str, before: Revision, times: WordTimes) -> Add | Keys | None:
     """Return the edit that makes a changed movement, or a drawn curve, as it was; None if it was deleted."""
     if name.startswith("curve "):
         return _keys_again(name.removeprefix("curve "), before, times)
@@ -202,7 +202,7 @@ def _again(name: str, before: Version, times: WordTimes) -> Add | Keys | None:
     return Add(m.channel, start, start + length, m.targets, m.onset, m.offset, function=m.function)
 
 
-def _keys_again(parameter: str, before: Version, times: WordTimes) -> Keys | None:
+def _keys_again(parameter: str, before: Revision, times: WordTimes) -> Keys | None:
     last = None
     for edit in before.edits:
         if isinstance(edit, Keys | ClearKeys) and edit.parameter == parameter:
@@ -213,7 +213,7 @@ def _keys_again(parameter: str, before: Version, times: WordTimes) -> Keys | Non
     return replace(last, keys=tuple((time + shift, value) for time, value in last.keys))
 
 
-def brought_back(version: Version, number: int) -> Version:
+def restore(version: Revision, number: int) -> Revision:
     """Return the version with something lost made again, as near to its place as the clip has room."""
     entry = version.lost_made[number]
     assert entry.edit is not None

@@ -29,7 +29,7 @@ def dialled(values: Mapping[str, float], emotions: Mapping[str, float]) -> dict[
 
 
 @dataclass
-class DialledFace:
+class PoseEditor:
     """A face that follows its dials, on one solver; for one thread at a time."""
 
     solver: FaceSolver

@@ -10,12 +10,12 @@ from risorius.core.parameters import INDEX, NAMES, NEUTRAL
 from risorius.errors import ParameterError
 from risorius.face.head.head import load_head
 from risorius.face.solve import FaceSolver
-from risorius.studio.faces.dials import DialledFace, dialled
+from risorius.studio.faces.pose_editor import PoseEditor, dialled
 
 
 @pytest.fixture(scope="module")
 def dial():
-    return DialledFace(FaceSolver(load_head()))
+    return PoseEditor(FaceSolver(load_head()))
 
 
 @pytest.mark.parametrize("values", [{"AU99": 1.0}, {"zygomatic": 1.0}, {"masseter": 1.5}, {"AU1": -0.1}])

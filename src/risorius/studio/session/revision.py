@@ -25,11 +25,11 @@ class LostEdit:
     text: str
     edit: Add | Keys | None = None
     edits: tuple[Edit, ...] = ()
-    origin: Version | None = field(default=None, compare=False, repr=False)
+    origin: Revision | None = field(default=None, compare=False, repr=False)
 
 
 @dataclass(frozen=True, slots=True)
-class Version:
+class Revision:
     """The state of a take: its inputs, score and edits.
 
     `base`: the score as planned; `score`: with all edits made; `lost`: those that have no place in it.
@@ -66,11 +66,11 @@ class Version:
             manual=() if "manual" in silent else score.manual,
         )
 
-    def annotated(self, **values: Any) -> Version:
+    def annotated(self, **values: Any) -> Revision:
         """Return the version with other markers or lanes."""
         return replace(self, warnings=(), milliseconds={}, **values)
 
-    def changed(self, edit: Edit) -> Version:
+    def changed(self, edit: Edit) -> Revision:
         """Return the version with one more edit; raise InputError or ParameterError if it does not fit."""
         fixed = named(self.score, edit)
         return replace(
