@@ -182,8 +182,8 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
     'zygomatic_major'
     """
     lowered = {choice.lower(): choice for choice in reversed(list(known))}
-    wanted = name.lower()
-    near = difflib.get_close_matches(wanted, list(lowered), n=1, cutoff=0.6)
-    if not near and len(wanted) >= _SHORTEST_PART:
-        near = sorted((choice for choice in lowered if wanted in choice), key=len)[:1]
+    lowercase = name.lower()
+    near = difflib.get_close_matches(lowercase, list(lowered), n=1, cutoff=0.6)
+    if not near and len(lowercase) >= _SHORTEST_PART:
+        near = sorted((choice for choice in lowered if lowercase in choice), key=len)[:1]
     return lowered[near[0]] if near else None

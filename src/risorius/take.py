@@ -59,8 +59,8 @@ class Take:
 
     def __repr__(self) -> str:
         """Return one line: its duration and its text."""
-        said = "" if self.utterance is None else f", {textwrap.shorten(self.utterance.text, 60)!r}"
-        return f"<Take of {self.duration:.2f} s, {len(self.times)} frames{said}>"
+        text = "" if self.utterance is None else f", {textwrap.shorten(self.utterance.text, 60)!r}"
+        return f"<Take of {self.duration:.2f} s, {len(self.times)} frames{text}>"
 
     def __getstate__(self) -> dict[str, Any]:
         """Return the state to pickle: the plan, the head and their results are made again when needed."""

@@ -54,12 +54,12 @@ class Report(Scratch):
         """Return the lists of the page: failed, in doubt, of an odd pace, and all others."""
         failed = "state = 'failed'"
         doubtful = f"NOT {failed} AND doubt >= {-OWN.doubt}"
-        odd = f"NOT ({doubtful}) AND pace > 0 AND (pace < {SLOW} OR pace > {FAST})"
-        rest = f"NOT {failed} AND NOT ({doubtful}) AND NOT ({odd})"
+        odd_pace = f"NOT ({doubtful}) AND pace > 0 AND (pace < {SLOW} OR pace > {FAST})"
+        rest = f"NOT {failed} AND NOT ({doubtful}) AND NOT ({odd_pace})"
         return (
             self._lines(f"WHERE {failed} ORDER BY rowid"),
             self._lines(f"WHERE {doubtful} ORDER BY doubt DESC, rowid"),
-            self._lines(f"WHERE NOT {failed} AND {odd} ORDER BY abs(pace - {USUAL}) DESC, rowid"),
+            self._lines(f"WHERE NOT {failed} AND {odd_pace} ORDER BY abs(pace - {USUAL}) DESC, rowid"),
             self._lines(f"WHERE {rest} ORDER BY doubt DESC, rowid"),
         )
 

@@ -87,8 +87,8 @@ class _Ends:
     def __init__(self, inputs: ChannelInputs) -> None:
         ending = (r for r in inputs.rules if r.level is Level.TURN and r.timing.at is RuleAnchor.END)
         lead = max((r.timing.lead for r in ending if r.effect.look is not None), default=0.0)
-        said = inputs.utterance.sentences if inputs.utterance is not None else ()
-        self._times = [sentence.end - lead for sentence in said]
+        sentences = inputs.utterance.sentences if inputs.utterance is not None else ()
+        self._times = [sentence.end - lead for sentence in sentences]
 
     def within(self, start: float, end: float) -> bool:
         """Tell whether such a look may begin in [start, end) seconds."""

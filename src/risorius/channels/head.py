@@ -44,8 +44,8 @@ def head(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
 def posture(inputs: ChannelInputs) -> dict[str, float]:
     """Return the postures of profile and attitudes, added up within each parameter's range."""
     total: dict[str, float] = {}
-    for held in (inputs.profile.posture, *(a.posture for a in inputs.attitudes)):
-        for name, value in resolve_targets(held).items():
+    for targets in (inputs.profile.posture, *(a.posture for a in inputs.attitudes)):
+        for name, value in resolve_targets(targets).items():
             p = PARAMETERS[INDEX[name]]
             total[name] = min(max(total.get(name, 0.0) + value, p.low), p.high)
     return total
@@ -68,16 +68,16 @@ def _melody(inputs: ChannelInputs) -> Iterator[Movement]:
     of the variance of F0 (Munhall et al. 2004).
     """
     degrees = inputs.profile.head.melody
-    said = inputs.utterance
-    if said is None or degrees == 0.0 or not any(s.pitch for s in said.syllables):
+    utterance = inputs.utterance
+    if utterance is None or degrees == 0.0 or not any(s.pitch for s in utterance.syllables):
         return
-    runs = list(_runs(said))
+    runs = list(_runs(utterance))
     for (run, first), following in zip(
         runs, [*(start for _, start in runs[1:]), inputs.duration], strict=True
     ):
         size = degrees * size_of(MELODY, inputs.modulations_at(first))
         pitch = fmean([min(max(s.pitch, -2.0), 2.0) for s in run])
-        cause = Cause(MELODY, f'"{said.words[run[0].word].text}"')
+        cause = Cause(MELODY, f'"{utterance.words[run[0].word].text}"')
         last = run[-1].end
         pauses = following > last + TICK
         end, onset = last if pauses else following, min(last, following) - first
@@ -169,10 +169,10 @@ class _Calm:
         self._situation, self._listening = inputs.situation, habits.listening
         pauses = inputs.utterance.pauses if inputs.utterance else ()
         words = inputs.utterance.words if inputs.utterance else ()
-        said = words[-1].end if words else inputs.duration
-        self.last = [p.start for p in pauses if p.start >= said]
+        speech_end = words[-1].end if words else inputs.duration
+        self.last = [p.start for p in pauses if p.start >= speech_end]
         self._spans = [
-            (p.start, p.end, habits.final if p.start >= said else still.get(p.kind, habits.final))
+            (p.start, p.end, habits.final if p.start >= speech_end else still.get(p.kind, habits.final))
             for p in pauses
         ]
         self.edges = sorted({t for start, end, _ in self._spans for t in (start, end)})

@@ -94,8 +94,8 @@ class _Shaper:
             key = (*map(id, owners), *coming.shares.items())
             if key not in self._shared:
                 self._shared[key] = coarticulate_onset(own, vowel, coming.shares)
-            held = self._shared[key]
-            yield own.with_targets(held.targets, held.precision)
+            shared = self._shared[key]
+            yield own.with_targets(shared.targets, shared.precision)
 
     def _anticipates(self, phone: Phone) -> Mapping[str, float]:
         """Return the articulators that all sounds of a consonant leave to the coming vowel."""
@@ -155,13 +155,21 @@ class _Shaper:
         scale: float = 1.0,
         fullness: float = 1.0,
     ) -> LipSegment:
-        held = self.table.holdings[shape.lip_class]
+        holding = self.table.holdings[shape.lip_class]
         targets = self._scaled_targets(shape, scale, fullness)
         if symbol == SILENCE:
-            silent = {name: silent_dominance(d, end - start) for name, d in held.dominance.items()}
-            held = replace(held, dominance=FrozenDict(silent))
+            silent = {name: silent_dominance(d, end - start) for name, d in holding.dominance.items()}
+            holding = replace(holding, dominance=FrozenDict(silent))
         return LipSegment(
-            symbol, start, end, targets, held.limits, held.dominance, cause, held.yields, held.precision
+            symbol,
+            start,
+            end,
+            targets,
+            holding.limits,
+            holding.dominance,
+            cause,
+            holding.yields,
+            holding.precision,
         )
 
     def _scaled_targets(self, shape: PhoneShape, scale: float, fullness: float) -> Mapping[str, float]:
@@ -226,10 +234,10 @@ def _held(start: float, end: float, shape: PhoneShape) -> tuple[float, float]:
     A closure that is too short first gives up the parting before its release, then begins earlier: the
     release is heard, the lips' meeting may hide in the phone before.
     """
-    held = shape.closure * (end - start)
+    seconds = shape.closure * (end - start)
     if SEAL not in shape.targets:
-        return start, min(start + max(held, SHORTEST_CLOSURE), end)
-    released = start + held
+        return start, min(start + max(seconds, SHORTEST_CLOSURE), end)
+    released = start + seconds
     parted = max(released - PARTING, min(released, start + SHORTEST_CLOSURE))
     return min(start, parted - SHORTEST_CLOSURE), parted
 

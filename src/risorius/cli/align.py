@@ -32,5 +32,7 @@ def align(audio: str, transcript: str | None, outputs: tuple[Path, ...], languag
         check_outputs(files, available=("speech",))
         take = find(audio, transcript, language=language, progress=console.progress)
         take.write(*files)
-        if said := take.utterance:
-            console.say(f"{len(said.words)} words, {speech_rate(said):.1f} syllables per second of speech")
+        if utterance := take.utterance:
+            console.say(
+                f"{len(utterance.words)} words, {speech_rate(utterance):.1f} syllables per second of speech"
+            )

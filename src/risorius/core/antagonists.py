@@ -27,7 +27,7 @@ def without_antagonists(targets: Mapping[str, float]) -> dict[str, float]:
     """Return targets in which of conflicting ones the smaller is at most 1 less the larger (paper A, section
     2: a channel holds only movements that do not conflict).
     """
-    held = dict(targets)
+    shares = dict(targets)
     for larger, smaller in antagonist_pairs(targets):
-        held[smaller] = min(held[smaller], max(1.0 - targets[larger], 0.0))
-    return held
+        shares[smaller] = min(shares[smaller], max(1.0 - targets[larger], 0.0))
+    return shares

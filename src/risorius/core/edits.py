@@ -257,8 +257,8 @@ def identified(score: Score) -> Score:
 
     Other movements are named by channel, layer and start, or by their id and a number.
     """
-    wanted = [m.id or _by_place(m) for m in score.movements]
-    names = _distinct(wanted, {m.id for m in score.movements if m.id})
+    proposed = [m.id or _by_place(m) for m in score.movements]
+    names = _distinct(proposed, {m.id for m in score.movements if m.id})
     pairs = zip(score.movements, names, strict=True)
     return replace(score, movements=tuple(m if m.id == name else replace(m, id=name) for m, name in pairs))
 

@@ -116,12 +116,12 @@ class LipRig:
         Width, protrusion and corners are reduced by the effects of the jaw and the opening; a missing
         aperture is what the jaw opens. Other targets are left out.
         """
-        wanted = [tuple((n, v) for n, v in of.items() if n in ARTICULATORS) for of in targets]
+        articulations = [tuple((n, v) for n, v in of.items() if n in ARTICULATORS) for of in targets]
         if len(self._known) > _MOST_KNOWN:
             self._known.clear()
-        known = {own: of for own in wanted if (of := self._known.get(own)) is not None}
+        known = {own: of for own in articulations if (of := self._known.get(own)) is not None}
         alike: dict[tuple[str, ...], list[_Targets]] = {}
-        for own in dict.fromkeys(wanted):
+        for own in dict.fromkeys(articulations):
             if own not in known:
                 alike.setdefault(tuple(name for name, _ in own), []).append(own)
         for names, group in alike.items():
@@ -132,7 +132,7 @@ class LipRig:
                     for own, value in zip(group, values.tolist(), strict=True):
                         known[own][name] = value
         self._known.update(known)
-        return [dict(known[own]) for own in wanted]
+        return [dict(known[own]) for own in articulations]
 
     def _actives(self, wanted: dict[str, Array]) -> dict[str, Array]:
         """Return what `actives` does for targets of the same articulators, (n,) each."""

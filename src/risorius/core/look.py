@@ -66,8 +66,8 @@ def parse_complexion(text: str) -> float:
 
 def parse_overlay(text: str) -> tuple[str, ...]:
     """Return the overlays of a text such as "caption,bars", in the order of `OVERLAYS`; raise InputError."""
-    wanted = [name.strip() for name in text.split(",")]
-    for name in wanted:
+    names = [name.strip() for name in text.split(",")]
+    for name in names:
         if name not in OVERLAYS:
             raise InputError(unknown("overlay", name, OVERLAYS))
-    return tuple(name for name in OVERLAYS if name in wanted)
+    return tuple(name for name in OVERLAYS if name in names)

@@ -229,8 +229,8 @@ class Utterance:
 
     def __repr__(self) -> str:
         """Return one line: its duration and its text."""
-        words, said = len(self.words), textwrap.shorten(self.text, 60)
-        return f"<Utterance of {self.duration:.2f} s, {words} words, {len(self.phones)} phones, {said!r}>"
+        words, text = len(self.words), textwrap.shorten(self.text, 60)
+        return f"<Utterance of {self.duration:.2f} s, {words} words, {len(self.phones)} phones, {text!r}>"
 
     @property
     def duration(self) -> float:

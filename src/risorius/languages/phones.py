@@ -108,8 +108,8 @@ def inventory() -> PhoneInventory:
 
 def check_phones(table: str, symbols: Iterable[str]) -> None:
     """Raise InputError if a table's rows, by ARPAbet symbol, lack a phone of the inventory."""
-    given = {*symbols}
-    lacking = [phone for phone, _ in inventory().rows() if phone not in given]
+    symbol_set = {*symbols}
+    lacking = [phone for phone, _ in inventory().rows() if phone not in symbol_set]
     if lacking:
         plural = "s" if len(lacking) > 1 else ""
         raise InputError(

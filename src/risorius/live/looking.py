@@ -94,10 +94,10 @@ class Looking:
         if self._target is None and arrived == followed == 1.0:
             self._begun = None
             return values
-        held = values.copy()
-        held[_HEAD] = _within(_HEAD, values[_HEAD] + turned)
-        held[_EYE] = _within(_EYE, gaze - held[_HEAD])
-        return held
+        turned_values = values.copy()
+        turned_values[_HEAD] = _within(_HEAD, values[_HEAD] + turned)
+        turned_values[_EYE] = _within(_EYE, gaze - turned_values[_HEAD])
+        return turned_values
 
     def _begin(self, target: Angles | None, values: Array, index: int) -> None:
         own = values[_EYE] + values[_HEAD]

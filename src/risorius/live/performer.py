@@ -68,8 +68,8 @@ def played(take: Take) -> Played:
     samples, rate = np.zeros(0, np.int16), None
     if take.audio is not None:
         samples, rate = take.audio.read(), take.audio.sample_rate
-    said = () if take.utterance is None else take.utterance.words
-    words = tuple((word.start, word.source_start) for word in said)
+    words_said = () if take.utterance is None else take.utterance.words
+    words = tuple((word.start, word.source_start) for word in words_said)
     return Played(take.performance.values, samples, rate, words)
 
 

@@ -44,8 +44,8 @@ def grow_hairline(
             + flat(combed(anatomy, curves[-1], normal) + stray, normal) * (length / (POINTS - 1))[:, None]
         )
         above, normal = height_over_skin(tree, surface, place)
-        wanted = 0.25 + (0.8 + 2.6 * within) * (k / (POINTS - 1)) * rise
-        curves.append(place + (wanted - above)[:, None] * normal)
+        height = 0.25 + (0.8 + 2.6 * within) * (k / (POINTS - 1)) * rise
+        curves.append(place + (height - above)[:, None] * normal)
     way = np.linspace(0.0, 1.0, POINTS)
     widths = _WIDTH * (0.5 + 0.5 * within)[:, None] * (1.0 - 0.8 * way**1.5)
     shade = ((0.8 + 0.4 * rng.random(count)) * (1.7 - 0.7 * within))[:, None] * colour

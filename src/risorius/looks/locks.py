@@ -69,11 +69,11 @@ def _summed(parts: Array) -> Array:
 def _at_shares(values: Array, shares: Array, points: int) -> Array:
     """Return values (S, P, c), known at `shares` (S, P) from 0 to 1, interpolated at `points` even steps."""
     strands, known = shares.shape
-    wanted = np.linspace(0.0, 1.0, points)
-    upper = (shares[:, None, :] < wanted[None, :, None]).sum(axis=2).clip(1, known - 1)
+    even_shares = np.linspace(0.0, 1.0, points)
+    upper = (shares[:, None, :] < even_shares[None, :, None]).sum(axis=2).clip(1, known - 1)
     row = np.arange(strands)[:, None]
     low, high = shares[row, upper - 1], shares[row, upper]
-    part = ((wanted - low) / np.maximum(high - low, 1e-12))[..., None]
+    part = ((even_shares - low) / np.maximum(high - low, 1e-12))[..., None]
     return np.asarray(values[row, upper - 1] * (1.0 - part) + values[row, upper] * part)
 
 
@@ -96,10 +96,10 @@ def gather_locks(
     _, mine = cKDTree(middle[guides]).query(middle)
     way = np.linspace(0.0, 1.0, points)[None, :, None]
     offset = curves - curves[:, :1]
-    wanted = (
+    gathered = (
         offset[guides][mine] * (length / length[guides][mine])[:, None, None] + curves[guides][mine][:, :1]
     )
-    drawn = curves + 0.6 * amount[:, None, None] * way**late * (wanted - curves)
+    drawn = curves + 0.6 * amount[:, None, None] * way**late * (gathered - curves)
     return drawn, 0.82 + 0.36 * rng.random(len(guides))[mine]
 
 

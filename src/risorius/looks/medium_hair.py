@@ -126,10 +126,10 @@ def _hang(anatomy: Anatomy, surface: Surface, roots: HairRoots, rng: np.random.G
         above, normal = height_over_skin(tree, smooth, place)
         rise = np.sin(np.pi / 2 * min(1.0, 3.4 * way)) * (1.0 - _FLATTER * _on_the_cheeks(anatomy, place))
         thick = (volume + _lift(anatomy, place)) * beside_parting(anatomy, place)
-        wanted = thick * rise + 0.3 + _over_ears(anatomy, place)
+        height = thick * rise + 0.3 + _over_ears(anatomy, place)
         lying = _lying(anatomy, place)
         # Hair never enters the head, and does not stand off it where it lies on the skull.
-        shift = np.maximum(wanted - above, 0.0) + lying * np.minimum(wanted - above, 0.0)
+        shift = np.maximum(height - above, 0.0) + lying * np.minimum(height - above, 0.0)
         curves.append(_off_face(anatomy, place + shift[:, None] * normal))
     return np.stack(curves, axis=1)
 

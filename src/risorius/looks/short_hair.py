@@ -66,7 +66,7 @@ def _walk(anatomy: Anatomy, surface: Surface, roots: HairRoots, rng: np.random.G
         way = k / (POINTS - 1)
         place = curves[-1] + flat(ahead + stray, normal) * (length / (POINTS - 1))[:, None]
         above, normal = height_over_skin(tree, surface, place)
-        wanted = height * np.sin(np.pi / 2 * min(1.0, 1.6 * way)) * (1 - 0.5 * way**2) + 0.3
-        curves.append(place + (wanted - above)[:, None] * normal)
+        lift = height * np.sin(np.pi / 2 * min(1.0, 1.6 * way)) * (1 - 0.5 * way**2) + 0.3
+        curves.append(place + (lift - above)[:, None] * normal)
         ahead = flow(anatomy, curves[-1], normal)
     return np.stack(curves, axis=1)

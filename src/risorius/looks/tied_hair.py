@@ -91,8 +91,8 @@ def _comb(
         above, normal = height_over_skin(tree, smooth, place)
         high = smoothstep(30.0 * u, 80.0 * u, place[:, 1] - anatomy.eye_height)
         thick = (2.5 + 2.5 * layer + 6.0 * high) * u * beside_parting(anatomy, place)
-        wanted = thick * np.sin(np.pi / 2 * min(1.0, 2.6 * way)) + 0.3
-        curves.append(place + (wanted - above)[:, None] * normal)
+        height = thick * np.sin(np.pi / 2 * min(1.0, 2.6 * way)) + 0.3
+        curves.append(place + (height - above)[:, None] * normal)
     return np.stack(curves, axis=1)
 
 

@@ -100,8 +100,8 @@ class Articulation:
             elif row.lip_class not in table.holdings:
                 raise InputError(unknown("class of phones", str(row.lip_class), table.holdings))
         corners = (self.close_front, self.open_front, self.close_back, self.open_back)
-        given = [shape.targets for shape in (*corners, self.close_round, self.open_round)]
-        for targets in (*given, *(row.targets for row in self.lips)):
+        target_sets = [shape.targets for shape in (*corners, self.close_round, self.open_round)]
+        for targets in (*target_sets, *(row.targets for row in self.lips)):
             check_shape(targets)
         for letter, consonant in self.consonant.items():
             if self._row(consonant) is None:

@@ -214,10 +214,10 @@ class LipTable:
         if manner not in self.manners:
             raise ParameterError(unknown("manner of speech", manner, self.manners))
         shares = {**dict.fromkeys(OPENING, 1.0), **self.articulation}
-        held = self.manners[manner].factors
+        manner_factors = self.manners[manner].factors
         return {
-            name: held.get(name, 1.0) * (1.0 + shares.get(name, 0.0) * (articulation - 1.0))
-            for name in {*shares, *held}
+            name: manner_factors.get(name, 1.0) * (1.0 + shares.get(name, 0.0) * (articulation - 1.0))
+            for name in {*shares, *manner_factors}
         }
 
     def shapes(self, symbol: str, before: str = "") -> tuple[tuple[str, PhoneShape, float], ...]:

@@ -204,8 +204,8 @@ def _span(rule: Rule, unit: RuleSpan, numbers: CounterRng) -> MovementPhases:
         end = max(unit.end, start + 0.1)
         scale = min(1.0, (end - start) / max(onset + offset, 1e-9))
         return MovementPhases(start, start + scale * onset, end - scale * offset, end)
-    held = unit.end if timing.apex is None else start + onset + timing.apex * tempo
-    release = max(held, start + onset)
+    hold_end = unit.end if timing.apex is None else start + onset + timing.apex * tempo
+    release = max(hold_end, start + onset)
     return MovementPhases(start, start + onset, release, release + offset)
 
 

@@ -84,16 +84,16 @@ def nested(under: Profile, numbers: Mapping[str, float]) -> dict[str, Any]:
 def _set(table: dict[str, Any], item: Any, path: list[str], value: float, key: str) -> None:
     """Set a number in `table`, which is laid out as the dataclass `item`; KeyError if it has none."""
     first, rest = path[0], path[1:]
-    held = getattr(item, first) if first in _numbered(item) else None
-    if dataclasses.is_dataclass(held):
+    current = getattr(item, first) if first in _numbered(item) else None
+    if dataclasses.is_dataclass(current):
         if not rest:
             raise KeyError(key)
-        _set(table.setdefault(first, {}), held, rest, value, key)
-    elif isinstance(held, Mapping) and rest:
+        _set(table.setdefault(first, {}), current, rest, value, key)
+    elif isinstance(current, Mapping) and rest:
         table.setdefault(first, {})[".".join(rest)] = value
-    elif isinstance(held, tuple) and rest:
-        table[first] = _replaced(table.get(first, list(held)), rest, value, key)
-    elif not rest and first in _numbered(item) and not isinstance(held, tuple | Mapping):
+    elif isinstance(current, tuple) and rest:
+        table[first] = _replaced(table.get(first, list(current)), rest, value, key)
+    elif not rest and first in _numbered(item) and not isinstance(current, tuple | Mapping):
         table[first] = value
     else:
         raise KeyError(key)

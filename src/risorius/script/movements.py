@@ -55,12 +55,14 @@ def movements_of(script: Script, words: Sequence[Word], duration: float) -> tupl
 
 def _warn_of_rivals(mark: Mark) -> None:
     """Warn of the conflicting targets that a mark names; those of emotions are blended by their tables."""
-    said: set[str] = set()
+    messages: set[str] = set()
     for larger, smaller in antagonist_pairs({} if mark.emotions else in_parameters(mark.targets)):
         names = [name.partition(".")[0] for name in (smaller, larger)]
         left = max(1.0 - in_parameters(mark.targets)[larger], 0.0)
-        said.add(f"{mark.place}: {mark.label}: {names[0]} conflicts with {names[1]}; it is held to {left:g}")
-    for message in sorted(said):
+        messages.add(
+            f"{mark.place}: {mark.label}: {names[0]} conflicts with {names[1]}; it is held to {left:g}"
+        )
+    for message in sorted(messages):
         warn(message)
 
 

@@ -117,8 +117,8 @@ def _labelled(recording: LabelledRecording, progress: Progress) -> Utterance:
     if audio is None:
         return utterance_of_labels(labels)
     if words is not None and found_tier(labels, PHONE_TIERS) is None:
-        said = [TimedWord(w.text, w.start, w.end) for w in words.labels if not is_silence(w.text)]
-        return _hear_timed(audio, said, labels.source, progress)
+        timed_words = [TimedWord(w.text, w.start, w.end) for w in words.labels if not is_silence(w.text)]
+        return _hear_timed(audio, timed_words, labels.source, progress)
     utterance = utterance_of_labels(labels, read_recording(audio))
     progress("Listening …")
     return measured(utterance, accents=not tells_accents(labels), boundaries=not tells_boundaries(labels))

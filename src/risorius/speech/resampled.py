@@ -48,9 +48,9 @@ class Resampled:
         blocks = count // _FRAMES_PER_BLOCK
         counts = self._level_counts[blocks] + _counted(self.levels[blocks * _FRAMES_PER_BLOCK : count])
         reached = np.cumsum(counts)
-        wanted = _LOUD_SHARE * count
-        index = int(np.searchsorted(reached, wanted))
-        within = (wanted - (reached[index - 1] if index else 0)) / max(int(counts[index]), 1)
+        loud_count = _LOUD_SHARE * count
+        index = int(np.searchsorted(reached, loud_count))
+        within = (loud_count - (reached[index - 1] if index else 0)) / max(int(counts[index]), 1)
         return _LOWEST_LEVEL + _LEVEL_BIN * float(index + within)
 
     @cached_property

@@ -195,10 +195,10 @@ class SpeechMouth:
         """Search all blocks for all parameters that may be needed, so that each block is computed once."""
         if (kind, name, threshold) not in self._scanned:
             others = self.shapes.parameters if kind == "above" else self.limited
-            wanted = {(n, self.tuning.threshold[n]) for n in others if RIVALS[n]} | {(name, threshold)}
-            spans: dict[tuple[str, float], list[Spans]] = {key: [] for key in wanted}
+            keys = {(n, self.tuning.threshold[n]) for n in others if RIVALS[n]} | {(name, threshold)}
+            spans: dict[tuple[str, float], list[Spans]] = {key: [] for key in keys}
             for number in range(block_number(self.edges[0]), block_number(self.edges[-1]) + 1):
-                for key in sorted(wanted):
+                for key in sorted(keys):
                     spans[key].append(find(self.block(number), *key))
             self._scanned.update({(kind, *key): union(sets) for key, sets in spans.items()})
         return self._scanned[kind, name, threshold]

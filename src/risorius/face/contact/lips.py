@@ -101,12 +101,12 @@ class Lips:
         left = np.minimum(length, opening)
         apart *= left / np.maximum(length, PRESS)
         open_by = np.clip(left / OPEN, 0.0, 1.0)
-        held = open_by * open_by * (3.0 - 2.0 * open_by)
+        eased = open_by * open_by * (3.0 - 2.0 * open_by)
         for passes_left in reversed(range(PASSES)):
             if not self._push_apart(skin, opening):
                 break
             if passes_left:
-                self._restore(skin, apart, held)
+                self._restore(skin, apart, eased)
                 self._matrix.times(skin, self._points)
 
     def _restore(self, skin: Array, apart: Array, held: Array) -> None:

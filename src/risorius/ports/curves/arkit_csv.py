@@ -139,11 +139,11 @@ def _columns(header: Header) -> list[Column]:
             raise InputError(unknown("column", name, COLUMNS), header.place(name))
     header.require(("Timecode", *CSV_SHAPES), "a Live Link Face take")
     turned = [Column(name, radians) for name in ROTATIONS if name in header.names]
-    wanted = [Column("Timecode", _clock, _CLOCK), *map(Column, map(column_of, SHAPES)), *turned]
+    columns = [Column("Timecode", _clock, _CLOCK), *map(Column, map(column_of, SHAPES)), *turned]
     if "BlendshapeCount" in header.names:
         here = len(header.names) - 2
-        wanted.append(Column("BlendshapeCount", _counter({str(here), str(COUNT)}, here), 0))
-    return wanted
+        columns.append(Column("BlendshapeCount", _counter({str(here), str(COUNT)}, here), 0))
+    return columns
 
 
 def _counter(right: Collection[str], here: int) -> Parse:

@@ -26,9 +26,11 @@ class Caption:
     def __init__(self, subject: Subject, size: Size) -> None:
         self._times = subject.performance.times
         self._text = font(round(0.045 * min(size)))
-        said = subject.utterance
-        shown = written_words(said) if said else ()
-        words = [replace(w, text=text) for w, text in zip(said.words if said else (), shown, strict=True)]
+        utterance = subject.utterance
+        shown = written_words(utterance) if utterance else ()
+        words = [
+            replace(w, text=text) for w, text in zip(utterance.words if utterance else (), shown, strict=True)
+        ]
         self._space = self._text.getlength(" ")
         self._lines = lines_of(words, 0.86 * size[0], self._width, self._space)
 
@@ -49,8 +51,8 @@ class Caption:
         box = (x - 0.6 * high, y - 0.3 * high, x + total + 0.6 * high, y + 1.45 * high)
         pen.rounded_rectangle(box, radius=0.4 * high, fill=PANEL)
         for word in line:
-            said = word.start <= time < word.end
-            pen.text((x, y), word.text, font=self._text, fill=BRIGHT if said else INK)
+            is_spoken = word.start <= time < word.end
+            pen.text((x, y), word.text, font=self._text, fill=BRIGHT if is_spoken else INK)
             x += self._width(word) + self._space
 
 

@@ -38,11 +38,11 @@ def check_times(words: Sequence[TimedWord], after: float = 0.0) -> None:
     """Raise InputError unless words follow one another in time, the first one not before `after`."""
     reached = after
     for word in words:
-        said = f"the word {quoted(word.text)} lasts from {word.start:g} to {word.end:g} s"
+        lasting = f"the word {quoted(word.text)} lasts from {word.start:g} to {word.end:g} s"
         if not (math.isfinite(word.start) and math.isfinite(word.end) and 0.0 <= word.start <= word.end):
-            raise InputError(f"{said}; expected it to end after it starts")
+            raise InputError(f"{lasting}; expected it to end after it starts")
         if word.start < reached - OVERLAP:
-            raise InputError(f"{said}, the one before it to {reached:g} s; expected one after another")
+            raise InputError(f"{lasting}, the one before it to {reached:g} s; expected one after another")
         reached = max(reached, word.end)
 
 
@@ -72,8 +72,8 @@ def locate_in_words(audio: Audio, words: Sequence[TimedWord], language: str | No
             phones.append(AlignedPhone(SILENCE, reached, start, -1, 0.0))
         elif phones:
             phones[-1] = phones[-1]._replace(end=start)
-        said = [phone for number in span.words for phone in found[number]]
-        phones += _fitted(said, start, max(span.end, start + _LEAST))
+        span_phones = [phone for number in span.words for phone in found[number]]
+        phones += _fitted(span_phones, start, max(span.end, start + _LEAST))
     reached = phones[-1].end
     if audio.duration - reached >= SHORTEST_PAUSE:
         phones.append(AlignedPhone(SILENCE, reached, audio.duration, -1, 0.0))

@@ -26,8 +26,8 @@ def stretch(samples: Samples, source: Array, target: Array, sample_rate: int) ->
     weight = np.zeros(length + 3 * half)
     follows: int | None = None
     for at in range(0, length + half, half):
-        wanted = padding + round(float(np.interp(target[0] + at, target, source)))
-        start = _best(sound, wanted - half, follows, half, reach)
+        target_sample = padding + round(float(np.interp(target[0] + at, target, source)))
+        start = _best(sound, target_sample - half, follows, half, reach)
         out[at : at + 2 * half] += window * sound[start : start + 2 * half]
         weight[at : at + 2 * half] += window
         follows = start + half

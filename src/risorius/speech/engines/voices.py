@@ -72,16 +72,16 @@ def _plain(code: str) -> str:
 
 
 def _by_name(name: str, known: tuple[Voice, ...]) -> Voice:
-    wanted = _plain(name)
+    plain = _plain(name)
     for voice in known:
-        if wanted == voice.name.lower() or name == voice.key:
+        if plain == voice.name.lower() or name == voice.key:
             return voice
-    speaking = _speaking(wanted, known)
+    speaking = _speaking(plain, known)
     if speaking is not None:
         return speaking
     varies = name.startswith("+")
     in_order = sorted(known, key=_place)
-    named = [voice.name for voice in in_order if voice.description.lower() == wanted]
+    named = [voice.name for voice in in_order if voice.description.lower() == plain]
     if named:
         raise SpeechError(f"unknown voice '{name}'; did you mean '{named[0]}'?")
     names = [voice.name for voice in in_order if voice.name.startswith("+") == varies]
@@ -90,8 +90,8 @@ def _by_name(name: str, known: tuple[Voice, ...]) -> Voice:
 
 
 def _by_language(language: str, known: tuple[Voice, ...]) -> Voice:
-    wanted = _plain(language)
-    voice = _speaking(wanted, known) or _speaking(wanted.split("-")[0], known)
+    code = _plain(language)
+    voice = _speaking(code, known) or _speaking(code.split("-")[0], known)
     if voice is None:
         raise SpeechError(_unknown_language(language, known))
     return voice
@@ -103,11 +103,11 @@ def _unknown_language(language: str, known: tuple[Voice, ...]) -> str:
     A code that only looks alike (`xx`, `xex`) does not help: suggest one that begins in the same way (`deu`),
     or whose voice has this name (`german`).
     """
-    wanted = _plain(language)
+    plain = _plain(language)
     for voice in sorted(known, key=_place):
         code = voice.language.split("-")[0]
-        begins = len(wanted) == _LONG_CODE and 0 < len(code) < _LONG_CODE and wanted.startswith(code)
-        if begins or (code and voice.description.lower() == wanted):
+        begins = len(plain) == _LONG_CODE and 0 < len(code) < _LONG_CODE and plain.startswith(code)
+        if begins or (code and voice.description.lower() == plain):
             return f"unknown language '{language}'; did you mean '{code}'?"
     expected = f"expected a code such as {', '.join(_USUAL)}; 'risorius list languages' shows more"
     return f"unknown language '{language[:_LONGEST]}'; {expected}"

@@ -120,11 +120,11 @@ def _counted(semitones: Array) -> Array:
 def _quantile(counts: Array, share: float) -> float:
     """Return a quantile of counted values, evenly spread within a bin; the lowest value for none."""
     reached = np.cumsum(counts)
-    wanted = share * float(reached[-1])
-    index = int(np.searchsorted(reached, wanted))
+    count = share * float(reached[-1])
+    index = int(np.searchsorted(reached, count))
     if not counts[index]:
         return _LOWEST + _BIN * index
-    return _LOWEST + _BIN * (index + 1 - (float(reached[index]) - wanted) / float(counts[index]))
+    return _LOWEST + _BIN * (index + 1 - (float(reached[index]) - count) / float(counts[index]))
 
 
 class SpeakerStatistics:

@@ -53,13 +53,13 @@ def utterance_of_labels(grid: TextGrid, audio: Audio | None = None) -> Utterance
     text = " ".join(word.text for word in timed)
     phones = _stressed(phones, timed, sounds, text if arpabet and words else "")
     code = _ARPABET_LANGUAGE if arpabet else _UNDETERMINED
-    said = build_utterance(text, code, audio, phones, timed)
-    tones = read_tones(grid, said.syllables, timed)
+    utterance = build_utterance(text, code, audio, phones, timed)
+    tones = read_tones(grid, utterance.syllables, timed)
     return with_phrases(
         replace(
-            said,
-            accents=tones.accents if tells_accents(grid) else said.accents,
-            boundaries=tones.boundaries if tells_boundaries(grid) else said.boundaries,
+            utterance,
+            accents=tones.accents if tells_accents(grid) else utterance.accents,
+            boundaries=tones.boundaries if tells_boundaries(grid) else utterance.boundaries,
         )
     )
 

@@ -53,9 +53,9 @@ def read_phones(labels: Sequence[Label], source: str) -> tuple[bool, list[PhoneL
     spoken = [label for label in labels if not is_silence(label.text)]
     arpabet = all(_arpabet(label.text) for label in spoken)
     if not arpabet and _looks_arpabet(spoken):
-        odd = next(label for label in spoken if _arpabet(label.text) is None)
+        unknown_label = next(label for label in spoken if _arpabet(label.text) is None)
         known = sorted(phonesets.ARPABET)
-        raise InputError(unknown("phone", odd.text, known), Place(source, odd.line))
+        raise InputError(unknown("phone", unknown_label.text, known), Place(source, unknown_label.line))
     return arpabet, [_read(label, arpabet, source) for label in labels]
 
 

@@ -161,11 +161,11 @@ class _Checks:
 
     def mended(self, block: Float32Array, offset: int) -> Float32Array:
         """Return the block that starts at sample `offset`, with zeros for samples that are not numbers."""
-        odd = ~np.isfinite(block)
-        if odd.any():
-            self.odd_from = offset + int(np.argmax(odd)) if self.odd_from < 0 else self.odd_from
-            self.odd += int(odd.sum())
-            block = np.where(odd, np.float32(0.0), block)
+        not_finite = ~np.isfinite(block)
+        if not_finite.any():
+            self.odd_from = offset + int(np.argmax(not_finite)) if self.odd_from < 0 else self.odd_from
+            self.odd += int(not_finite.sum())
+            block = np.where(not_finite, np.float32(0.0), block)
         if block.size:
             self.peak = max(self.peak, float(np.abs(block).max()))
             self._count_clipped(np.abs(block) >= CLIPPED_LEVEL, offset)

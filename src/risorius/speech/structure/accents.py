@@ -158,11 +158,11 @@ def _silent(
     A phrase of which nothing else is left is accented as if nothing were given.
     """
     kept = focused | context.contrasted
-    given = {i for i in stressed if utterance.syllables[i].word in context.given - kept}
-    left = [i for i in stressed if i not in given]
+    unaccented = {i for i in stressed if utterance.syllables[i].word in context.given - kept}
+    left = [i for i in stressed if i not in unaccented]
     if not left:
         return deaccented(utterance, language, words, stressed, kept)
-    return given | deaccented(utterance, language, words, left, kept)
+    return unaccented | deaccented(utterance, language, words, left, kept)
 
 
 def _stressed(utterance: Utterance, language: Language, words: range, focused: Set[int]) -> list[int]:

@@ -91,13 +91,13 @@ def context_of(words: Sequence[PlacedWord], question: str, language: Language) -
     line = _Line(words, stems, content, language)
     asked = _read(question, language)
     contrasted = {*_corrected(line), *_taken_up(line, asked)}
-    given = {*_repeated(line), *_asked_about(line, asked)} - contrasted
-    new = [i for i in _first_sentence(line) if content[i] and i not in given]
+    given_words = {*_repeated(line), *_asked_about(line, asked)} - contrasted
+    new = [i for i in _first_sentence(line) if content[i] and i not in given_words]
     return DiscourseContext(
-        frozenset(given),
+        frozenset(given_words),
         frozenset(contrasted),
         _new_function_word(line, asked) if question and not new else None,
-        frozenset(_themes(line, asked, given, contrasted)),
+        frozenset(_themes(line, asked, given_words, contrasted)),
     )
 
 
@@ -160,10 +160,10 @@ def _asked_about(line: _Line, asked: _Question) -> Iterator[int]:
 
 def _taken_up(line: _Line, asked: _Question) -> Iterator[int]:
     """Yield the words of the first sentence that a question turns to, or lets the speaker choose."""
-    wanted = set(asked.topics | asked.choices)
-    for index in _first_sentence(line) if wanted else ():
-        if line.content[index] and line.stems[index] in wanted:
-            wanted.discard(line.stems[index])
+    topics = set(asked.topics | asked.choices)
+    for index in _first_sentence(line) if topics else ():
+        if line.content[index] and line.stems[index] in topics:
+            topics.discard(line.stems[index])
             yield index
 
 

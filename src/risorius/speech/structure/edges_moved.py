@@ -64,10 +64,10 @@ def with_edges(utterance: Utterance, shifts: Sequence[EdgeShift]) -> Utterance:
     starts = np.array([phone.start for phone in utterance.phones] + [utterance.duration])
     moved = starts.copy()
     words: dict[tuple[str, int], int] = {}
-    said: Counter[str] = Counter()
+    counts: Counter[str] = Counter()
     for number, word in enumerate(utterance.words):
-        words[word.text, said[word.text]] = number
-        said[word.text] += 1
+        words[word.text, counts[word.text]] = number
+        counts[word.text] += 1
     misfits = []
     for shift in shifts:
         found = words.get((shift.word, shift.nth))

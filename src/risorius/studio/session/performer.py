@@ -52,14 +52,14 @@ class Performer:
         if inputs.source.format == "score":
             return self._scored(inputs, settings)
         begun = time.perf_counter()
-        odd: list[str] = []
-        with warnings_to(odd.append), emotions_of(settings.rules, settings.expression):
+        messages: list[str] = []
+        with warnings_to(messages.append), emotions_of(settings.rules, settings.expression):
             script, utterance, displays = self._said(inputs.source, spans, settings, progress)
-            said = time.perf_counter()
+            spoken_at = time.perf_counter()
             progress("Planning …")
             score = identified(compose(script, utterance, displays, settings))
-        warnings = tuple(self._files.told(line) for line in odd)
-        spent = {"voice": 1e3 * (said - begun), "plan": 1e3 * (time.perf_counter() - said)}
+        warnings = tuple(self._files.told(line) for line in messages)
+        spent = {"voice": 1e3 * (spoken_at - begun), "plan": 1e3 * (time.perf_counter() - spoken_at)}
         return Revision(inputs, score, score, settings, utterance, warnings=warnings, milliseconds=spent)
 
     def adopted(self, inputs: TakeInputs) -> TakeInputs:

@@ -120,8 +120,8 @@ class Session:
         if request.start is not None:
             shifts[edge] = shift + request.start - utterance.phones[request.phone].start
         edges = tuple(replace(edge, shift=shift) for edge, shift in shifts.items())
-        said = f"move the edge of {edge.symbol or 'the silence'} in “{edge.word}”"
-        return self._planned(replace(inputs, source=replace(source, edges=edges)), said, progress)
+        description = f"move the edge of {edge.symbol or 'the silence'} in “{edge.word}”"
+        return self._planned(replace(inputs, source=replace(source, edges=edges)), description, progress)
 
     def compare(self, request: requests.Compare, progress: Progress) -> takes.TakeView:
         """Perform the same script with other choices and the same edits, as a second take."""
@@ -235,9 +235,9 @@ class Session:
             step = step.changed(edit)
         history.push(step, what)
         for edit in version.edits[at_once:]:
-            said = worded(edit, step.score)
+            description = worded(edit, step.score)
             step = step.changed(edit)
-            history.push(step, said)
+            history.push(step, description)
         self.forget_prefetch()
         self.current = self._live(step)
         self.history = history
