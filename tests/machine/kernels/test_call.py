@@ -51,12 +51,12 @@ def test_what_a_kernel_is_not_declared_for_is_refused(arguments: tuple[Any, ...]
     with pytest.raises(TypeError) as caught:
         without_fourth(*arguments)
     assert fault in str(caught.value)
-    assert "face.products.without_fourth" in str(caught.value)
+    assert "face.numerics.sparse.without_fourth" in str(caught.value)
 
 
 def test_numbers_of_other_kinds_are_refused() -> None:
     arrays = np.zeros((2, 3)), np.zeros(3), np.zeros(1), np.zeros(3)
-    with pytest.raises(TypeError, match=r"face\.lids\._aim"):
+    with pytest.raises(TypeError, match=r"face\.contact\.lids\._aim"):
         _aim(*arrays, "far", 0.0, 0.0, np.zeros((2, 3)))
 
 

@@ -15,7 +15,7 @@ from risorius.render import shade
 SOURCE = '''
 from typing import Annotated, NamedTuple
 from risorius.core.arrays import Array
-from risorius.machine import vec
+from risorius.machine.kernels import vec
 from risorius.machine.kernels.jit import device, kernel
 
 FACTOR, TABLE = 2.0, (1, 2.5)

@@ -1,1 +1,1 @@
-"""What is read off a solved face: measures, feature points, and weights of other rigs."""
+"""Fits to a solved face: measures, feature points, and weights of other rigs."""

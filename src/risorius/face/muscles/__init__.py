@@ -1,1 +1,1 @@
-"""What moves the skin: muscles, jaw and tongue."""
+"""Muscles, jaw and tongue, which move the skin."""
