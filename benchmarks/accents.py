@@ -17,8 +17,8 @@ from pathlib import Path
 
 from timit import RATE, sentences
 
-from risorius.core.audio import AudioWriter
-from risorius.core.utterance import Pause, PauseKind, Phone, Utterance
+from risorius.core.speech.audio import AudioWriter
+from risorius.core.speech.utterance import Pause, PauseKind, Phone, Utterance
 from risorius.speech.alignment import align
 from risorius.speech.prosody import measured
 from risorius.speech.recordings.recording import read_recording

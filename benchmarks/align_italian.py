@@ -16,7 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
-from risorius.core.audio import Audio
+from risorius.core.speech.audio import Audio
 from risorius.errors import InputError
 from risorius.speech.alignment import align
 from risorius.speech.recordings.recording import read_recording

@@ -34,7 +34,7 @@ from behaviour_measures import (
 )
 
 from risorius.channels import ChannelInputs, compose
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.rules.profiles import profile, profiles
 from risorius.script import read_script
 from risorius.speech import synthesize_script

@@ -10,7 +10,7 @@ import numpy as np
 from risorius import blend
 from risorius.core.arrays import Array, BoolArray
 from risorius.core.score import Score
-from risorius.core.utterance import PauseKind, Utterance
+from risorius.core.speech.utterance import PauseKind, Utterance
 from risorius.face.fit.lip_file import load_lip_rig
 
 FPS = 500

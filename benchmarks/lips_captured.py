@@ -20,7 +20,7 @@ import numpy as np
 
 from risorius import pipeline
 from risorius.core.arrays import Array
-from risorius.core.utterance import Phone, Utterance
+from risorius.core.speech.utterance import Phone, Utterance
 from risorius.settings import BlendChoices, Settings
 from risorius.speech import LabelledRecording, align_recording
 

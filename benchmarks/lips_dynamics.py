@@ -27,7 +27,7 @@ from risorius import blend
 from risorius.core.arrays import Array
 from risorius.core.articulators import APERTURE
 from risorius.core.movement import LipSegment
-from risorius.core.utterance import Phone
+from risorius.core.speech.utterance import Phone
 from risorius.face.fit.lip_file import load_lip_rig
 from risorius.pipeline import compose
 from risorius.script import read_script

@@ -24,7 +24,7 @@ from risorius import blend
 from risorius.channels.tempo import fullness_of_phones
 from risorius.core.movement import LipSegment
 from risorius.core.score import Score
-from risorius.core.utterance import Accent, Syllable, Utterance
+from risorius.core.speech.utterance import Accent, Syllable, Utterance
 from risorius.face.fit.lip_file import load_lip_rig
 from risorius.pipeline import compose
 from risorius.rules.lips import lip_table

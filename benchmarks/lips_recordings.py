@@ -25,11 +25,11 @@ from timit import RATE, Sentence, sentences
 from risorius import blend
 from risorius.channels import ChannelInputs, compose
 from risorius.core.arrays import Array
-from risorius.core.audio import Audio
 from risorius.core.channels import CHANNELS
 from risorius.core.lip_rig import gap_left
 from risorius.core.parameters import INDEX, NAMES
-from risorius.core.utterance import Utterance
+from risorius.core.speech.audio import Audio
+from risorius.core.speech.utterance import Utterance
 from risorius.face.fit.lip_file import load_lip_rig
 from risorius.speech import Recording, align_recording
 from risorius.speech.alignment import align

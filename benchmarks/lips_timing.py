@@ -19,9 +19,9 @@ from timit import GLOTTAL, RATE, Label, sentences
 
 from risorius import blend
 from risorius.channels import ChannelInputs, compose
-from risorius.core.audio import silence
 from risorius.core.channels import CHANNELS
-from risorius.core.utterance import Phone, Utterance
+from risorius.core.speech.audio import silence
+from risorius.core.speech.utterance import Phone, Utterance
 from risorius.face.fit.lip_file import load_lip_rig
 from risorius.languages import phonesets
 from risorius.speech.alignment import align

@@ -17,7 +17,7 @@ from risorius.core.arrays import Array, BoolArray
 from risorius.core.parameters import BASES, INDEX, NAMES, PARAMETERS, RIVALS, Kind
 from risorius.core.performance import frame_times
 from risorius.core.score import Score
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.face.fit.lip_file import load_lip_rig
 from risorius.face.fit.measure import Gauge
 from risorius.face.head.head import load_head

@@ -27,7 +27,7 @@ from risorius.core.functions import minimum_jerk
 from risorius.core.movement import LipSegment
 from risorius.core.parameters import NEUTRAL
 from risorius.core.score import Score
-from risorius.core.utterance import SILENCE, Utterance
+from risorius.core.speech.utterance import SILENCE, Utterance
 from risorius.face.fit.lip_file import load_lip_rig
 from risorius.face.fit.measure import Gauge
 from risorius.face.head.head import load_head

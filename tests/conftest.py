@@ -15,8 +15,8 @@ from hypothesis import settings
 
 from risorius.api import speak
 from risorius.cli import STRICT
-from risorius.core.audio import silence
-from risorius.core.utterance import (
+from risorius.core.speech.audio import silence
+from risorius.core.speech.utterance import (
     Accent,
     Boundary,
     Pause,

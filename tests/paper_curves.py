@@ -11,7 +11,7 @@ from risorius.blend import combine
 from risorius.core.arrays import Array
 from risorius.core.movement import Movement
 from risorius.core.score import BlendSettings, Score
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 
 from .channels.at_work import movements
 

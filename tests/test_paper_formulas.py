@@ -15,7 +15,7 @@ from risorius.core.counter_rng import CounterRng
 from risorius.core.movement import Movement
 from risorius.core.parameters import INDEX, PARAMETERS
 from risorius.core.score import Score
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.face.fit.lip_file import load_lip_rig
 from risorius.rules.profiles import profile_of
 

@@ -17,7 +17,7 @@ from risorius.channels import ChannelInputs, Display, compose
 from risorius.core.action_units import resolve_targets
 from risorius.core.movement import Movement
 from risorius.core.parameters import RIVALS
-from risorius.core.utterance import PauseKind, Utterance
+from risorius.core.speech.utterance import PauseKind, Utterance
 from risorius.rules.emotions import emotion, emotion_text
 from risorius.rules.profiles import profile_of
 from risorius.rules.rule_set import extended, shipped

@@ -19,7 +19,7 @@ from risorius import api, pipeline
 from risorius import solvers as solvers_module
 from risorius.core.progress import quiet
 from risorius.core.score import Score
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.errors import RisoriusError, UnusedSettingError
 from risorius.rules.emotions import Display
 from risorius.script import Script, parse_script

@@ -23,12 +23,12 @@ if TYPE_CHECKING:
     from .blend import Explanation as Explanation
     from .blend import Tally as Tally
     from .blend import Trace as Trace
-    from .core.audio import Audio as Audio
     from .core.movement import Cause as Cause
     from .core.movement import Movement as Movement
     from .core.performance import Performance as Performance
     from .core.score import Score as Score
-    from .core.utterance import Utterance as Utterance
+    from .core.speech.audio import Audio as Audio
+    from .core.speech.utterance import Utterance as Utterance
     from .errors import HeadError as HeadError
     from .errors import InputError as InputError
     from .errors import OutputError as OutputError
@@ -105,11 +105,11 @@ _MODULES = {
     "batches.library": ("batch", "pipe"),
     "batches.outcome": ("LineResult",),
     "blend": ("Explanation", "Tally", "Trace"),
-    "core.audio": ("Audio",),
+    "core.speech.audio": ("Audio",),
     "core.movement": ("Cause", "Movement"),
     "core.performance": ("Performance",),
     "core.score": ("Score",),
-    "core.utterance": ("Utterance",),
+    "core.speech.utterance": ("Utterance",),
     "errors": (
         "HeadError",
         "InputError",

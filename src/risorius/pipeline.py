@@ -12,7 +12,7 @@ from .blend import Plan, recombine
 from .core.performance import announced
 from .core.progress import Progress, quiet
 from .core.score import Score
-from .core.utterance import Utterance
+from .core.speech.utterance import Utterance
 from .rules.emotions import Displays
 from .rules.profiles import attitude, profile_of
 from .rules.rule_set import emotions_of, rule_set_of

@@ -15,13 +15,13 @@ import numpy as np
 
 from .core.arrays import Array, ByteArray
 from .core.articulators import ARTICULATORS
-from .core.audio import Audio
 from .core.lip_rig import LipRig
 from .core.parameters import MUSCLES, NAMES, parameters_named
 from .core.performance import Performance
 from .core.progress import Progress, quiet
 from .core.score import Score
-from .core.utterance import Utterance
+from .core.speech.audio import Audio
+from .core.speech.utterance import Utterance
 from .errors import InputError, check_number
 from .rules.profiles import profile_of
 from .settings import Settings, parse_size

@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 
 from risorius.channels import ChannelInputs, compose
 from risorius.core.movement import Movement
-from risorius.core.utterance import PauseKind, Utterance
+from risorius.core.speech.utterance import PauseKind, Utterance
 from risorius.rules.rule_set import extended, shipped
 
 Maker = Callable[..., Utterance]

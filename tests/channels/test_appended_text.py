@@ -11,7 +11,7 @@ from risorius.channels import HORIZON, ChannelInputs, Display, compose
 from risorius.core.choices import BLINK_MODELS
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.progress import quiet
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.pipeline import speak
 from risorius.rules.profiles import Profile, profile_of, profiles
 from risorius.script import read_script

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from risorius.channels import ChannelInputs, compose
-from risorius.core.utterance import PauseKind
+from risorius.core.speech.utterance import PauseKind
 from risorius.rules.profiles import attitude, profile
 
 from .at_work import LID, LONG, Maker, by_rule, movements

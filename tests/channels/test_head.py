@@ -14,8 +14,8 @@ from risorius.blend import combine
 from risorius.channels import ChannelInputs, compose
 from risorius.channels.head import noise_steps
 from risorius.core.counter_rng import CounterRng
+from risorius.core.speech.utterance import Utterance
 from risorius.core.time import on_tick
-from risorius.core.utterance import Utterance
 
 Maker = Callable[..., Utterance]
 FPS = 100

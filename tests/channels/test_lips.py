@@ -8,7 +8,7 @@ from risorius.blend.mouth.coarticulation import SegmentValues, without_gaps
 from risorius.blend.mouth.effort import EffortModel
 from risorius.channels import ChannelInputs, compose
 from risorius.core.movement import LipSegment
-from risorius.core.utterance import Accent, Syllable, Utterance
+from risorius.core.speech.utterance import Accent, Syllable, Utterance
 from risorius.errors import InputError, ParameterError
 from risorius.rules.articulation import is_known, sounds
 from risorius.rules.lips import lip_table

@@ -13,7 +13,7 @@ from risorius.channels.blinks import blink_depth
 from risorius.channels.manipulators import itti_wait, natural_interval
 from risorius.core.counter_rng import CounterRng
 from risorius.core.movement import Cause, Movement
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.errors import ParameterError
 from risorius.rules.profiles import profile, profile_of
 from risorius.rules.synchrony import synchrony

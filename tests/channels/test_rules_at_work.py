@@ -10,7 +10,7 @@ from risorius.blend import combine
 from risorius.channels import ChannelInputs, Display, built_channels, compose
 from risorius.core.choices import BLINK_MODELS
 from risorius.core.score import Score
-from risorius.core.utterance import Accent, PauseKind
+from risorius.core.speech.utterance import Accent, PauseKind
 from risorius.rules.profiles import attitude, profile, profile_of, profiles
 from risorius.rules.rule_set import shipped
 

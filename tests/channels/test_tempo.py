@@ -6,8 +6,8 @@ import pytest
 
 from risorius.channels import ChannelInputs, compose
 from risorius.channels.tempo import fullness_of_phones
-from risorius.core.audio import silence
-from risorius.core.utterance import Utterance
+from risorius.core.speech.audio import silence
+from risorius.core.speech.utterance import Utterance
 from risorius.rules.lips import lip_table
 
 TEMPO = lip_table().tempo

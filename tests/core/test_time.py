@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 
 from risorius.core.movement import LipSegment, ManualCurve, Movement
 from risorius.core.score import Score
+from risorius.core.speech.utterance import Accent, Ending, Pause, PauseKind, Phone, Phrase, Syllable, Word
 from risorius.core.time import TICKS_PER_SECOND, on_tick, on_ticks, seconds_of, ticks_of
-from risorius.core.utterance import Accent, Ending, Pause, PauseKind, Phone, Phrase, Syllable, Word
 
 DAY = 86_400
 TICKS = st.integers(-DAY * TICKS_PER_SECOND, DAY * TICKS_PER_SECOND)

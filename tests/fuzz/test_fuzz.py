@@ -71,7 +71,7 @@ PARSERS = {
 """Modules that parse what others wrote, and the kinds with which they are fuzzed."""
 OURS = {
     "batches/report": "its own database",
-    "core/audio": "sound that we wrote",
+    "core/speech/audio": "sound that we wrote",
     "machine/cache_folder": "digests of the kernels that we built",
     "live/pcm": "samples, of which all bytes are right",
     "reading/positions": "keys that were parsed before",

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from risorius.core.utterance import Ending
+from risorius.core.speech.utterance import Ending
 from risorius.errors import InputError
 from risorius.languages import language_of
 from risorius.languages.intonation import AccentRule, BoundaryRule, Candidate

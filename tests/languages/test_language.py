@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from risorius.core.utterance import Question
+from risorius.core.speech.utterance import Question
 from risorius.errors import InputError
 from risorius.languages import language_of, languages, load, plain_word
 

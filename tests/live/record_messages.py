@@ -20,7 +20,7 @@ import numpy as np
 
 from risorius import speak
 from risorius.core.arrays import Array
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.live.pcm import PcmDecoder
 
 TEXT = "Well, that is it. She paid him."

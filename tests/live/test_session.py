@@ -13,11 +13,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from risorius import Live
-from risorius.core.audio import AudioWriter
 from risorius.core.parameters import INDEX, NAMES, PARAMETERS, Kind
 from risorius.core.performance import Performance, frame_count
 from risorius.core.score import Score
-from risorius.core.utterance import Phone, Utterance, Word
+from risorius.core.speech.audio import AudioWriter
+from risorius.core.speech.utterance import Phone, Utterance, Word
 from risorius.errors import InputError, ParameterError, RisoriusError, SpeechError, UnusedSettingError
 from risorius.languages import language_of
 from risorius.live.crossfade import CROSSFADE

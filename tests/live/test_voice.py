@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from risorius import Live, Settings, speak
 from risorius.core.arrays import Array
 from risorius.core.parameters import INDEX
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.errors import InputError
 from risorius.live.frame import LiveFrame
 from risorius.live.voice import LATEST, LONGEST_WAITING, Known, VoiceBuffer

@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 
 from risorius.core.arrays import Array, ByteArray, Int16Array
-from risorius.core.audio import Audio, AudioWriter
 from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.core.performance import Performance, frame_times
 from risorius.core.progress import Progress, quiet
 from risorius.core.score import Score
-from risorius.core.utterance import Utterance
+from risorius.core.speech.audio import Audio, AudioWriter
+from risorius.core.speech.utterance import Utterance
 from risorius.ports.curves.landmarks_csv import COLUMNS
 from risorius.ports.export_source import WritableTake
 

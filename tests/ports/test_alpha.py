@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from risorius.core.arrays import ByteArray
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.errors import OutputError
 from risorius.ports.export_source import WritableTake, WriteOptions
 from risorius.ports.output_files import check_targets, write_targets

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from risorius.core.arrays import ByteArray
-from risorius.core.audio import Audio
-from risorius.core.utterance import Utterance
+from risorius.core.speech.audio import Audio
+from risorius.core.speech.utterance import Utterance
 from risorius.errors import OutputError
 from risorius.ports.export_source import WritableTake, WriteOptions
 from risorius.ports.formats import FORMATS, Need

@@ -12,7 +12,7 @@ from risorius.core.movement import Cause, Movement
 from risorius.core.parameters import INDEX, NEUTRAL
 from risorius.core.performance import Performance
 from risorius.core.score import Score
-from risorius.core.utterance import Word
+from risorius.core.speech.utterance import Word
 from risorius.render.overlay import Overlays, Subject
 from risorius.render.overlay.bars import unit_values
 from risorius.render.overlay.caption import Caption, lines_of

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.rules.discourse import groups_of, rate_of_phrase, turns_of
 from risorius.rules.synchrony import synchrony
 

@@ -7,7 +7,7 @@ import pytest
 
 from risorius.channels import ChannelInputs, compose
 from risorius.core.movement import Movement
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.errors import RisoriusError
 from risorius.rules.doctor import examine
 from risorius.rules.habits import HABITS

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.core.counter_rng import CounterRng
-from risorius.core.utterance import Question, Utterance
+from risorius.core.speech.utterance import Question, Utterance
 from risorius.rules.emotions import Display
 from risorius.rules.match import Event, events_of
 from risorius.rules.modulation import Modulation, rate_of, size_of

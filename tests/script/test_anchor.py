@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.core.utterance import Word
+from risorius.core.speech.utterance import Word
 from risorius.errors import InputError, Place
 from risorius.script.anchor import Anchor, Base, parse_anchor, parse_number
 

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.core.movement import Cause, Movement
-from risorius.core.utterance import Word
+from risorius.core.speech.utterance import Word
 from risorius.errors import InputError, Place
 from risorius.rules.emotions import emotion
 from risorius.script.markup import parse_markup

@@ -2,7 +2,7 @@ import pytest
 
 from risorius.core.movement import Cause, check_movement
 from risorius.core.score import check_sequence
-from risorius.core.utterance import Word
+from risorius.core.speech.utterance import Word
 from risorius.errors import InputError, RisoriusWarning
 from risorius.rules.saccade import saccade_duration
 from risorius.script.markup import parse_markup

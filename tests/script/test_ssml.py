@@ -4,7 +4,7 @@ import warnings
 
 import pytest
 
-from risorius.core.voice_style import VoiceAdjustment
+from risorius.core.speech.voice_style import VoiceAdjustment
 from risorius.errors import RisoriusError, SpeechWarning
 from risorius.script.ssml import parse_ssml
 from risorius.script.tree import ScriptWarning

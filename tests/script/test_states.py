@@ -1,6 +1,6 @@
 import pytest
 
-from risorius.core.utterance import Word
+from risorius.core.speech.utterance import Word
 from risorius.rules.emotions import Display
 from risorius.script import felt_in, listening_in, read_script
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import risorius.speech.engines.worker
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.speech import synthesize_line
 from risorius.speech.engines.espeak import EspeakEngine
 

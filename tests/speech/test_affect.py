@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from risorius.api import speak
-from risorius.core.utterance import Utterance
-from risorius.core.voice_style import PLAIN
+from risorius.core.speech.utterance import Utterance
+from risorius.core.speech.voice_style import PLAIN
 from risorius.errors import ParameterError
 from risorius.rules.emotions import Display
 from risorius.rules.voice_emotion import voice_manner

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.script import read_script
 from risorius.speech import synthesize_script
 

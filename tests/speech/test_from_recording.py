@@ -13,7 +13,7 @@ import risorius
 from risorius.cli import run
 from risorius.core.directions import Directions, ToneMark
 from risorius.core.lip_rig import OPENING
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.errors import Place
 from risorius.face.fit.lip_file import load_lip_rig
 from risorius.ports.speech.textgrid import utterance_lines

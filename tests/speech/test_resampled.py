@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from risorius.core.audio import Audio, AudioWriter
+from risorius.core.speech.audio import Audio, AudioWriter
 from risorius.speech.resampled import LEVEL_STEP, RATE, SPEECH_LEVEL, Resampled
 
 

@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.core.utterance import PauseKind, Utterance
+from risorius.core.speech.utterance import PauseKind, Utterance
 from risorius.errors import InputError, ParameterError
 from risorius.languages import phonesets
 from risorius.machine.workers import Worker

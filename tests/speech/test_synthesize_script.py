@@ -3,7 +3,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.errors import InputError, SpeechError
 from risorius.script import read_script
 from risorius.script.anchor import Anchor, Base, parse_anchor

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from ..core.articulators import PROTRUSION, WIDTH
 from ..core.movement import LipSegment
-from ..core.utterance import SILENCE, Phone, Utterance
+from ..core.speech.utterance import SILENCE, Phone, Utterance
 from ..reading.frozen import FrozenDict
 
 ROUNDING = (WIDTH, PROTRUSION)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..core.utterance import Utterance
+from ..core.speech.utterance import Utterance
 from ..rules.emotions import Display
 from ..script import Script, felt_in, listening_in, movements_of
 from .inputs import ChannelInputs

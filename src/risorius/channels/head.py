@@ -14,8 +14,8 @@ from ..core.action_units import resolve_targets
 from ..core.counter_rng import CounterRng
 from ..core.movement import Cause, Movement
 from ..core.parameters import INDEX, PARAMETERS
+from ..core.speech.utterance import PauseKind, Syllable, Utterance
 from ..core.time import TICK
-from ..core.utterance import PauseKind, Syllable, Utterance
 from ..rules.match import HEAD
 from ..rules.modulation import size_of
 from ..rules.rule import TurnState

@@ -7,7 +7,7 @@ from functools import cached_property
 
 from ..core.counter_rng import CounterRng
 from ..core.movement import Movement
-from ..core.utterance import Utterance
+from ..core.speech.utterance import Utterance
 from ..rules.emotions import Display
 from ..rules.match import Event, felt_modulations
 from ..rules.modulation import Modulation

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 from ..core.articulators import PROTRUSION, SHORTEST_CLOSURE, within_range
 from ..core.movement import Cause, LipSegment, silent_dominance
-from ..core.utterance import SILENCE, PauseKind, Phone, Utterance
+from ..core.speech.utterance import SILENCE, PauseKind, Phone, Utterance
 from ..languages.phonesets import to_arpabet
 from ..reading.frozen import FrozenDict
 from ..rules.articulation import is_known, sounds

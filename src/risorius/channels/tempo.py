@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ..core.utterance import SILENCE, Utterance
+from ..core.speech.utterance import SILENCE, Utterance
 from ..rules.lips import LipTable
 
 DIGITS = 2

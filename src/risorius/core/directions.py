@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from ..errors import Place
-from .voice_style import PLAIN, VoiceAdjustment
+from .speech.voice_style import PLAIN, VoiceAdjustment
 
 
 class Emphasis(StrEnum):

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated
 
-from ..core.tobi import boundary_tone, pitch_accent
+from ..core.speech.tobi import boundary_tone, pitch_accent
+from ..core.speech.utterance import Ending
 from ..core.units import Share
-from ..core.utterance import Ending
 from ..reading.hints import Range
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Annotated
 
-from ..core.utterance import Question
+from ..core.speech.utterance import Question
 from ..reading.hints import Range
 from .abbreviations import Abbreviations
 from .intonation import IntonationTable

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..core.arrays import Array
-from ..core.audio import Samples
 from ..core.parameters import NAMES
+from ..core.speech.audio import Samples
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..core.audio import Audio, AudioWriter, Samples
-from ..core.utterance import SILENCE, Utterance
+from ..core.speech.audio import Audio, AudioWriter, Samples
+from ..core.speech.utterance import SILENCE, Utterance
 from ..errors import Place, RisoriusError
 from ..pipeline import combine, compose
 from ..rules.emotions import Displays

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..core.arrays import Int16Array
-from ..core.audio import Samples
+from ..core.speech.audio import Samples
 from ..errors import InputError, unknown
 
 _FULL_SCALE = 32_767

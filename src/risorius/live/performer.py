@@ -11,7 +11,7 @@ from typing import Protocol
 import numpy as np
 
 from ..core.arrays import Array
-from ..core.audio import Samples
+from ..core.speech.audio import Samples
 from ..errors import warnings_to
 from ..pipeline import perform
 from ..rules.emotions import Displays

@@ -9,7 +9,7 @@ from fractions import Fraction
 from math import ceil
 
 from ..core.arrays import Array
-from ..core.audio import Samples
+from ..core.speech.audio import Samples
 from ..errors import RisoriusError
 from ..rules.emotions import Displays
 from ..settings import Settings

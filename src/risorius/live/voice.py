@@ -10,7 +10,7 @@ from numbers import Real
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..core.audio import Samples
+from ..core.speech.audio import Samples
 from ..errors import InputError
 from ..reading.hints import shown
 from ..reading.source_text import Syntax

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..core.parameters import BASES, parameters_named
 from ..core.performance import Performance
-from ..core.utterance import Utterance
+from ..core.speech.utterance import Utterance
 from ..render.overlay.lanes import lane_blocks
 from .shown_take import ShownTake, liveliest, optional
 

@@ -8,10 +8,10 @@ from typing import Any, Protocol
 import numpy as np
 
 from ..core.arrays import Array
-from ..core.audio import Audio
 from ..core.parameters import BASES, INDEX, Kind
 from ..core.performance import Performance
-from ..core.utterance import Utterance
+from ..core.speech.audio import Audio
+from ..core.speech.utterance import Utterance
 from ..errors import RisoriusError
 
 MOST = 8  # curves of a figure

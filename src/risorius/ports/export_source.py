@@ -12,9 +12,9 @@ from ..core.progress import Progress, quiet
 
 if TYPE_CHECKING:
     from ..core.arrays import Array, ByteArray
-    from ..core.audio import Audio
     from ..core.performance import Performance
-    from ..core.utterance import Utterance
+    from ..core.speech.audio import Audio
+    from ..core.speech.utterance import Utterance
     from ..face.fit.arkit_fit import ArkitTrack
     from ..face.frame import FaceFrame
     from ..face.head.head import Head

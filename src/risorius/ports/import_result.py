@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from ..core.performance import Performance
 from ..core.progress import Progress, quiet
 from ..core.score import Score
-from ..core.utterance import Utterance
+from ..core.speech.utterance import Utterance
 
 if TYPE_CHECKING:
     from ..face.head.head import Head

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from ..core.utterance import Phrase, Utterance
+from ..core.speech.utterance import Phrase, Utterance
 from .synchrony import synchrony
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from ..core.action_units import resolve_targets
 from ..core.antagonists import antagonist_pairs
-from ..core.utterance import PauseKind, Question
+from ..core.speech.utterance import PauseKind, Question
 from ..errors import Place
 from .habits import Habit
 from .modulation import is_under

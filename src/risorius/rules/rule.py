@@ -15,9 +15,9 @@ from typing import Annotated
 from ..core.action_units import resolve_targets
 from ..core.channels import CHANNELS
 from ..core.functions import ONSET_FUNCTIONS
-from ..core.tobi import boundary_tone, pitch_accent
+from ..core.speech.tobi import boundary_tone, pitch_accent
+from ..core.speech.utterance import PauseKind, Question
 from ..core.units import RiseSeconds, Share
-from ..core.utterance import PauseKind, Question
 from ..errors import InputError, ParameterError, unknown
 from ..reading.frozen import FrozenDict
 from ..reading.hints import Range

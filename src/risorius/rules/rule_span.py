@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from ..core.utterance import Accent, PauseKind, Question
+from ..core.speech.utterance import Accent, PauseKind, Question
 from ..reading.frozen import FrozenDict
 from .rule import Level, Position, TurnState
 from .synchrony import synchrony

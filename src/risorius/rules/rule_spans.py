@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from functools import cached_property
 
-from ..core.utterance import SENTENCE_ENDS
+from ..core.speech.utterance import SENTENCE_ENDS
 from .rule import Level
 from .rule_span import RuleSpan
 from .situation import Situation

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from ..core.utterance import Utterance
+from ..core.speech.utterance import Utterance
 from .emotions import Display, emotion_key
 from .rule import TurnState
 

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Container, Iterable, Iterator, Sequence
 from typing import Any, Protocol
 
-from ..core.utterance import SILENCE, Accent, Pause, PauseKind, Utterance
+from ..core.speech.utterance import SILENCE, Accent, Pause, PauseKind, Utterance
 from .discourse import groups_of, rate_of_phrase, turns_of
 from .rule import Level, Position
 from .rule_span import RuleSpan

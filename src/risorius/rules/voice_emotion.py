@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Annotated
 
-from ..core.voice_style import PLAIN, VoiceAdjustment
+from ..core.speech.voice_style import PLAIN, VoiceAdjustment
 from ..reading.hints import Range
 from .emotions import emotion
 from .load import load

@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
+from ..core.speech.utterance import Word
 from ..core.units import MAX_SECONDS
-from ..core.utterance import Word
 from ..errors import InputError, Place
 from .quote import quoted
 

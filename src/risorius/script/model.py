@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 from ..core.directions import UNDIRECTED, Directions
-from ..core.utterance import Word
+from ..core.speech.utterance import Word
 from ..errors import Place
 from ..rules.gestures import GesturePart
 from .anchor import Anchor, Base

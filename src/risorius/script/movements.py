@@ -10,8 +10,8 @@ from ..core.action_units import in_parameters
 from ..core.antagonists import antagonist_pairs
 from ..core.channels import ChannelTiming, channel_timing
 from ..core.movement import Cause, Movement
+from ..core.speech.utterance import Word
 from ..core.time import on_tick
-from ..core.utterance import Word
 from ..errors import InputError, warn
 from ..rules.gestures import GesturePart
 from ..rules.saccade import saccade_duration

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from itertools import accumulate, zip_longest
 
 from ..core.directions import DirectedSpan, Directions, ToneMark
-from ..core.tobi import boundary_tone, pitch_accent
-from ..core.voice_style import PLAIN, VoiceAdjustment
+from ..core.speech.tobi import boundary_tone, pitch_accent
+from ..core.speech.voice_style import PLAIN, VoiceAdjustment
 from ..errors import InputError, ParameterError, Place
 from ..languages import language_of
 from ..languages.intonation import Voicing

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from ..core.directions import Break, DirectedSpan, Directions, Emphasis, Sync
-from ..core.voice_style import PLAIN, VoiceAdjustment
+from ..core.speech.voice_style import PLAIN, VoiceAdjustment
 from ..errors import InputError, RisoriusError
 from ..rules.ssml import ssml_table
 from .amounts import decibels, factor, read_seconds, semitones

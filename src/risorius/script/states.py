@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ..core.utterance import Word
+from ..core.speech.utterance import Word
 from ..rules.emotions import Display
 from .model import Mark, MarkKind, Script
 

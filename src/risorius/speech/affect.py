@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from itertools import groupby
 
 from ..core.directions import DirectedSpan
-from ..core.utterance import Word
-from ..core.voice_style import PLAIN, VoiceAdjustment
+from ..core.speech.utterance import Word
+from ..core.speech.voice_style import PLAIN, VoiceAdjustment
 from ..languages import Language
 from ..rules.emotions import Display
 from ..rules.voice_emotion import voice_manner

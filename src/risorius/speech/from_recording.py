@@ -7,7 +7,7 @@ from os import PathLike
 
 from ..core.directions import Directions
 from ..core.progress import Progress, quiet
-from ..core.utterance import Utterance
+from ..core.speech.utterance import Utterance
 from ..errors import InputError, Place, SpeechWarning, warn
 from ..script import Script, SpokenLine
 from ..script.model import script_of

@@ -9,7 +9,7 @@ from functools import cache, cached_property
 import numpy as np
 
 from ..core.arrays import Array, Float32Array, Int32Array
-from ..core.audio import Audio
+from ..core.speech.audio import Audio
 from .filters import low_pass, with_rate
 
 RATE = 16_000

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from ..core.directions import UNDIRECTED, DirectedSpan, Directions
-from ..core.voice_style import PLAIN, VoiceAdjustment
+from ..core.speech.voice_style import PLAIN, VoiceAdjustment
 from ..errors import InputError, Place, SpeechWarning, warn
 from ..languages import Language, language_of
 from .assembly.assemble import LINE_PAUSE, PreparedLine, SpokenPart

@@ -10,8 +10,8 @@ from functools import partial
 from ..core.choices import LEAD, RATES, SILENCES, TAIL
 from ..core.directions import UNDIRECTED, Directions
 from ..core.progress import Progress, quiet
-from ..core.utterance import Utterance
-from ..core.voice_style import PLAIN, VoiceAdjustment
+from ..core.speech.utterance import Utterance
+from ..core.speech.voice_style import PLAIN, VoiceAdjustment
 from ..errors import InputError, ParameterError, Place, SpeechError
 from ..script import Script
 from .affect import Feeling, coloured, common_manner, written_words

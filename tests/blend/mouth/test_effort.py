@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from risorius.blend.mouth.coarticulation import LIP_MODELS, SegmentValues, without_gaps
 from risorius.blend.mouth.effort import CACHED, EFFORT, HELD, PART, EffortModel, _System
 from risorius.core.movement import LipSegment
-from risorius.core.utterance import SILENCE
+from risorius.core.speech.utterance import SILENCE
 from tests.profiles import examples
 
 JAW = "masseter"

@@ -13,7 +13,7 @@ from typing import ClassVar
 import numpy as np
 import pytest
 
-from risorius.core.audio import silence
+from risorius.core.speech.audio import silence
 from risorius.errors import InputError, OutputError
 from risorius.live.stream import Address, parse_address, receiver_socket, send
 from risorius.live.stream import clock as clocks

@@ -9,7 +9,7 @@ import pytest
 
 from risorius.core.movement import Movement
 from risorius.core.score import Score
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.errors import InputError
 from risorius.ports.curves.performance_json import read_performance_file, write_performance_json
 from risorius.ports.export_source import WritableTake, WriteOptions

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from risorius.core.audio import Audio
 from risorius.core.score import Score
-from risorius.core.utterance import Accent, Syllable, Utterance
+from risorius.core.speech.audio import Audio
+from risorius.core.speech.utterance import Accent, Syllable, Utterance
 from risorius.errors import InputError, RisoriusWarning
 from risorius.ports.export_source import WritableTake
 from risorius.ports.output_files import check_targets, write_targets

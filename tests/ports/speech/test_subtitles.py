@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.errors import OutputError
 from risorius.ports.export_source import WritableTake, WriteOptions
 from risorius.ports.speech.subtitles import LINE, LINES, subtitles, write_srt, write_vtt

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from praatio import textgrid as praatio_textgrid
 
-from risorius.core.utterance import Accent, Boundary, Phone, Utterance
+from risorius.core.speech.utterance import Accent, Boundary, Phone, Utterance
 from risorius.errors import OutputError
 from risorius.ports.export_source import WritableTake, WriteOptions
 from risorius.ports.speech.textgrid import phone_label, write_textgrid

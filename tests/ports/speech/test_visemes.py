@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.errors import OutputError, SpeechWarning
 from risorius.ports.export_source import WritableTake, WriteOptions
 from risorius.ports.speech.azure_json import write_azure_json

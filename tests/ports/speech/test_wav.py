@@ -4,7 +4,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from risorius.core.audio import Audio
+from risorius.core.speech.audio import Audio
 from risorius.errors import OutputError
 from risorius.ports.export_source import WritableTake, WriteOptions
 from risorius.ports.speech.wav import write_wav

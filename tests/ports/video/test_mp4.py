@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from risorius.core.arrays import Array, ByteArray
-from risorius.core.audio import Audio
+from risorius.core.speech.audio import Audio
 from risorius.ports.export_source import WritableTake, WriteOptions
 from risorius.ports.video.mp4 import write_mp4
 

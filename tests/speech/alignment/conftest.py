@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.speech import synthesize_line
 
 LINE = "My baby brother put the big map by the beam."

@@ -9,8 +9,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from risorius.core.audio import Audio, AudioWriter
-from risorius.core.utterance import Utterance
+from risorius.core.speech.audio import Audio, AudioWriter
+from risorius.core.speech.utterance import Utterance
 from risorius.errors import InputError, SpeechWarning
 from risorius.speech import synthesize_line
 from risorius.speech.alignment import align

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from risorius.cli import run
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.errors import SpeechError
 from risorius.machine.workers import Worker
 from risorius.speech.alignment import align, decoder

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import risorius
-from risorius.core.utterance import SILENCE, Word
+from risorius.core.speech.utterance import SILENCE, Word
 from risorius.errors import InputError, UnusedSettingError
 from risorius.speech.alignment import align
 from risorius.speech.alignment.aligner import owned

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from risorius.core.arrays import Array
-from risorius.core.audio import AudioWriter
+from risorius.core.speech.audio import AudioWriter
 from risorius.speech import synthesize_line
 from risorius.speech.alignment.aligner import refined
 from risorius.speech.alignment.decoder import AlignedPhone

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from risorius import speak
-from risorius.core.audio import AudioWriter, silence
-from risorius.core.utterance import SILENCE, Utterance
+from risorius.core.speech.audio import AudioWriter, silence
+from risorius.core.speech.utterance import SILENCE, Utterance
 from risorius.errors import InputError
 from risorius.speech.alignment.aligner import assembled
 from risorius.speech.alignment.text_progress import text_progress

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from risorius.core.voice_style import VoiceAdjustment
+from risorius.core.speech.voice_style import VoiceAdjustment
 from risorius.errors import RisoriusError, SpeechWarning
 from risorius.rules.articulation import is_known
 from risorius.script import read_script

@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from risorius.core.audio import AudioWriter
-from risorius.core.utterance import Pause, PauseKind, Phone, Utterance, Word
+from risorius.core.speech.audio import AudioWriter
+from risorius.core.speech.utterance import Pause, PauseKind, Phone, Utterance, Word
 from risorius.speech import synthesize_line
 from risorius.speech.prosody import measured
 from risorius.speech.prosody.measure import pitched

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from risorius.core.audio import AudioWriter
+from risorius.core.speech.audio import AudioWriter
 from risorius.speech.prosody.contour import contour_of
 from risorius.speech.prosody.pitch import Pitch, measure_pitch
 from risorius.speech.prosody.running import unknown_speaker

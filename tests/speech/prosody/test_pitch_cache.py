@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from risorius.core.audio import Audio, AudioWriter
+from risorius.core.speech.audio import Audio, AudioWriter
 from risorius.speech.prosody import pitch_cache
 from risorius.speech.prosody.pitch import measure_pitch
 from risorius.speech.prosody.pitch_cache import PitchCache

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
-from risorius.core.utterance import Utterance
+from risorius.core.speech.utterance import Utterance
 from risorius.speech.prosody.runs import runs_of
 
 Maker = Callable[..., Utterance]

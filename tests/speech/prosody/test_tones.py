@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from risorius.core.audio import AudioWriter
-from risorius.core.tobi import BOUNDARY_TONES, PITCH_ACCENTS
-from risorius.core.utterance import Phone, Syllable, Utterance, Word
+from risorius.core.speech.audio import AudioWriter
+from risorius.core.speech.tobi import BOUNDARY_TONES, PITCH_ACCENTS
+from risorius.core.speech.utterance import Phone, Syllable, Utterance, Word
 from risorius.languages import language_of
 from risorius.speech import synthesize_line
 from risorius.speech.prosody import measured, speech_rate

@@ -5,9 +5,9 @@ from pathlib import Path
 import pytest
 
 import risorius
-from risorius.core.audio import silence
 from risorius.core.directions import Break, DirectedSpan, Directions
-from risorius.core.utterance import PauseKind
+from risorius.core.speech.audio import silence
+from risorius.core.speech.utterance import PauseKind
 from risorius.errors import InputError, Place, SpeechWarning
 from risorius.script import read_script
 from risorius.speech import Recording, align_recording, synthesize_script

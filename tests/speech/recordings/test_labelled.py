@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 import pytest
 
-from risorius.core.audio import silence
-from risorius.core.utterance import Utterance
+from risorius.core.speech.audio import silence
+from risorius.core.speech.utterance import Utterance
 from risorius.errors import InputError, SpeechWarning
 from risorius.languages import phonesets
 from risorius.ports.speech.textgrid import utterance_lines

@@ -7,8 +7,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from risorius.core.audio import AudioWriter
-from risorius.core.utterance import Utterance
+from risorius.core.speech.audio import AudioWriter
+from risorius.core.speech.utterance import Utterance
 from risorius.errors import InputError
 from risorius.speech.recordings.recognition import LATEST, recognize, stretches
 from risorius.speech.resampled import Resampled

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from risorius.core.directions import UNDIRECTED, DirectedSpan, Directions, Emphasis, ToneMark
-from risorius.core.tobi import BOUNDARY_TONES, PITCH_ACCENTS
+from risorius.core.speech.tobi import BOUNDARY_TONES, PITCH_ACCENTS
 from risorius.errors import Place
 from risorius.rules.voice_emotion import voice_manner
 from risorius.speech.synthesis import synthesize_line

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from risorius.core.utterance import PauseKind, Phone, Word
+from risorius.core.speech.utterance import PauseKind, Phone, Word
 from risorius.languages import language_of
 from risorius.speech.structure.lines import TextLine
 from risorius.speech.structure.pauses import find_pauses, punctuation_kind

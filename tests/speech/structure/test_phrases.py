@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.core.utterance import Boundary, Ending, Phrase, Question, Utterance
+from risorius.core.speech.utterance import Boundary, Ending, Phrase, Question, Utterance
 from risorius.speech.structure.phrases import find_phrases, with_phrases
 from risorius.speech.synthesis import synthesize_line
 

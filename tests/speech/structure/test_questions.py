@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from risorius.core.utterance import Question
+from risorius.core.speech.utterance import Question
 from risorius.languages import language_of
 from risorius.speech.structure.questions import question_of
 

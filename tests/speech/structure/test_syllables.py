@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from risorius.core.utterance import Phone, Word
+from risorius.core.speech.utterance import Phone, Word
 from risorius.languages import language_of, phonesets
 from risorius.speech.structure.syllables import syllabify
 

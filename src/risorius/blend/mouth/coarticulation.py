@@ -16,7 +16,7 @@ import numpy as np
 from ...core.arrays import AnyArray, Array, IndexArray
 from ...core.movement import DEFAULT_DOMINANCE, LipSegment, silent_dominance
 from ...core.registry import Registry
-from ...core.utterance import SILENCE
+from ...core.speech.utterance import SILENCE
 
 T = TypeVar("T")
 SegmentRow = TypeVar("SegmentRow", bound=AnyArray)

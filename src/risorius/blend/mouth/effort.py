@@ -33,7 +33,7 @@ from scipy.linalg import cho_solve_banded, cholesky_banded
 
 from ...core.arrays import Array, IndexArray
 from ...core.movement import LipSegment
-from ...core.utterance import SILENCE
+from ...core.speech.utterance import SILENCE
 from ..intervals import ranges
 from ..knots import split_blocks, steps_between
 from .coarticulation import LIP_MODELS, ParameterGroups, SegmentValues, SegmentWeights, SharedMappings

@@ -13,7 +13,7 @@ from ...core.lip_rig import RAISER, LipRig
 from ...core.movement import Dominance, LipSegment
 from ...core.parameters import BASES, PARAMETERS, Kind
 from ...core.score import Score
-from ...core.utterance import SILENCE
+from ...core.speech.utterance import SILENCE
 from ...errors import InputError
 from ..concatenate import SIGNED
 from ..intervals import Extent, Spans, merged

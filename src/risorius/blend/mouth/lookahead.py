@@ -30,7 +30,7 @@ from ...core.articulators import APERTURE, ARTICULATORS, leader
 from ...core.functions import minimum_jerk
 from ...core.movement import LipSegment
 from ...core.parameters import BASES, INDEX, PARAMETERS, Parameter
-from ...core.utterance import SILENCE
+from ...core.speech.utterance import SILENCE
 from ..intervals import ranges
 from .coarticulation import (
     LIP_MODELS,

@@ -17,7 +17,7 @@ import numpy as np
 from ...core.arrays import Array
 from ...core.movement import LipSegment
 from ...core.parameters import RIVALS
-from ...core.utterance import SILENCE
+from ...core.speech.utterance import SILENCE
 from ..intervals import EMPTY, Spans, above_line, spans_between, union
 from ..knots import (
     BLOCK,

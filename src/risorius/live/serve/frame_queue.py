@@ -7,7 +7,7 @@ from collections import deque
 
 import numpy as np
 
-from ...core.audio import Samples
+from ...core.speech.audio import Samples
 from ..frame import LiveFrame
 from . import limits
 from .frames import SentFrame

@@ -12,8 +12,8 @@ import numpy as np
 
 from ...core.arkit import INDEX, ROTATIONS, SHAPES
 from ...core.arrays import Array
-from ...core.audio import Samples
 from ...core.parameters import NAMES
+from ...core.speech.audio import Samples
 from ...ports.mesh.rig import Rig
 from ..frame import LiveFrame
 from .messages import FrameFormat, Output

@@ -14,7 +14,7 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from ...core.audio import Samples
+from ...core.speech.audio import Samples
 from ...errors import InputError, unknown
 from ...reading.frozen import FrozenDict
 from ...reading.hints import Range

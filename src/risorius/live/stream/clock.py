@@ -7,7 +7,7 @@ from types import TracebackType
 from typing import Protocol
 
 from ...core.arrays import Int16Array
-from ...core.audio import Audio
+from ...core.speech.audio import Audio
 from .sound import open_output
 
 

@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from ...core.audio import Samples
 from ...core.progress import Progress, quiet
+from ...core.speech.audio import Samples
 from ...errors import RisoriusError
 from ..frame import LiveFrame
 from ..session import Live

@@ -8,8 +8,8 @@ from typing import Annotated, Any
 
 from ...core.movement import LipSegment, ManualCurve, Movement
 from ...core.score import BlendSettings, Score, check_score
+from ...core.speech.utterance import Utterance
 from ...core.units import MAX_SECONDS
-from ...core.utterance import Utterance
 from ...errors import InputError
 from ...reading.hints import Range, Then
 from ...reading.json_text import load_json

@@ -10,8 +10,8 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Annotated, Any
 
-from ...core.audio import Audio, silence
-from ...core.utterance import Accent, Boundary, Pause, Phone, Phrase, Syllable, Utterance, Word
+from ...core.speech.audio import Audio, silence
+from ...core.speech.utterance import Accent, Boundary, Pause, Phone, Phrase, Syllable, Utterance, Word
 from ...errors import warn
 from ...reading.hints import Range
 from ...reading.schema import MisfitError

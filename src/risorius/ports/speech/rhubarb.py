@@ -10,7 +10,7 @@ from fractions import Fraction
 from pathlib import Path
 from xml.sax.saxutils import escape
 
-from ...core.utterance import Utterance
+from ...core.speech.utterance import Utterance
 from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from ..layout import write_json

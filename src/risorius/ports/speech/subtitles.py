@@ -13,8 +13,8 @@ from itertools import groupby
 from pathlib import Path
 from xml.sax.saxutils import escape
 
-from ...core.utterance import Phrase, Utterance
-from ...core.written_words import written_words
+from ...core.speech.utterance import Phrase, Utterance
+from ...core.speech.written_words import written_words
 from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from ..table import write_lines

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from ...core.utterance import Phone, Utterance
+from ...core.speech.utterance import Phone, Utterance
 from ...errors import OutputError
 from ...languages import language_of
 from ...script.textgrid import INTERVALS, POINTS, Label, Tier, textgrid_lines

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
-from ...core.utterance import Phone, Utterance
+from ...core.speech.utterance import Phone, Utterance
 from ...errors import OutputError, SpeechWarning, warn
 from ...languages.phones import check_phones
 from ...languages.phonesets import IPA

@@ -5,7 +5,7 @@ from __future__ import annotations
 import wave
 from pathlib import Path
 
-from ...core.audio import Audio
+from ...core.speech.audio import Audio
 from ...errors import OutputError
 from ..export_source import WritableTake, WriteOptions
 from ..formats import register

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from ...core.arrays import Int16Array
-from ...core.audio import Audio
+from ...core.speech.audio import Audio
 from ...errors import warn
 from ..export_source import WritableTake, WriteOptions
 from .encoder import LostEncoderError, VideoEncoder

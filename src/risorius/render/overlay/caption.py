@@ -7,8 +7,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ...core.look import Size
-from ...core.utterance import Word
-from ...core.written_words import written_words
+from ...core.speech.utterance import Word
+from ...core.speech.written_words import written_words
 from .ink import BRIGHT, INK, PANEL, Subject, font
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Protocol
 
 from ...core.performance import Performance
-from ...core.utterance import Utterance
+from ...core.speech.utterance import Utterance
 
 if TYPE_CHECKING:
     from PIL.Image import Image

@@ -11,9 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...core.audio import Audio
 from ...core.progress import Progress, quiet
-from ...core.utterance import SILENCE, Phone, Utterance, Word
+from ...core.speech.audio import Audio
+from ...core.speech.utterance import SILENCE, Phone, Utterance, Word
 from ...errors import InputError
 from ...languages import phonesets
 from ..resampled import Resampled

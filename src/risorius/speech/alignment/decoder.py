@@ -17,7 +17,7 @@ from typing import Any, NamedTuple, Self, TypeVar
 import numpy as np
 
 from ...core.arrays import Array
-from ...core.utterance import SILENCE
+from ...core.speech.utterance import SILENCE
 from ...errors import SpeechError
 from ...machine.workers import Worker, WorkerError
 from ..resampled import RATE

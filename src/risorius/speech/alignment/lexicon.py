@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from itertools import islice, product
 from typing import NamedTuple
 
-from ...core.utterance import Utterance, Word
+from ...core.speech.utterance import Utterance, Word
 from ...languages import language_of, phonesets
 from ..synthesis import synthesize_line
 from .decoder import MODEL_LANGUAGE, Reading, Readings, dictionary_path

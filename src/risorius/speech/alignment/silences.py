@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...core.utterance import SILENCE
+from ...core.speech.utterance import SILENCE
 from ...languages import phonesets
 from .decoder import AlignedPhone
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...core.audio import Audio
+from ...core.speech.audio import Audio
 from ..resampled import Resampled
 from .decoder import with_decoders
 from .lexicon import read_transcript

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...core.audio import Audio
-from ...core.utterance import SILENCE
+from ...core.speech.audio import Audio
+from ...core.speech.utterance import SILENCE
 from ...errors import InputError
 from ...script.quote import quoted
 from ..resampled import Resampled

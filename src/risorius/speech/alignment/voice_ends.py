@@ -13,7 +13,7 @@ from itertools import pairwise
 import numpy as np
 
 from ...core.arrays import Array
-from ...core.utterance import SILENCE
+from ...core.speech.utterance import SILENCE
 from ...languages import phonesets
 from .decoder import AlignedPhone
 from .spectra import STEP_SECONDS, edge_steps

@@ -12,9 +12,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...core.audio import Audio, AudioWriter, Samples
 from ...core.directions import Directions
-from ...core.utterance import SILENCE, Phone, Word
+from ...core.speech.audio import Audio, AudioWriter, Samples
+from ...core.speech.utterance import SILENCE, Phone, Word
 from ...errors import InputError
 from ..engines.protocol import Rendition
 from ..structure.lines import TextLine

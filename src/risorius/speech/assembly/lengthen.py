@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...core.utterance import SILENCE
+from ...core.speech.utterance import SILENCE
 from ..engines.protocol import Rendition, SpokenPhone
 
 # Shortest pause that shortening leaves, in seconds.

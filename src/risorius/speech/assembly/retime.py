@@ -8,9 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...core.audio import Samples
 from ...core.directions import DirectedSpan, Directions
-from ...core.utterance import SILENCE
+from ...core.speech.audio import Samples
+from ...core.speech.utterance import SILENCE
 from ...languages import phonesets
 from ..engines.mnemonics import to_arpabet
 from ..text.tokens import Token

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...core.arrays import Array
-from ...core.audio import Samples
+from ...core.speech.audio import Samples
 
 # Seconds: of a window, and how far around its place the best match is sought.
 WINDOW, SEARCH = 0.024, 0.006

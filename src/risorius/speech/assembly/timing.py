@@ -9,7 +9,7 @@ import math
 from dataclasses import dataclass
 from itertools import pairwise
 
-from ...core.utterance import SILENCE
+from ...core.speech.utterance import SILENCE
 
 # A stop's closure leaves the phone before it at least this much (seconds) and this share.
 KEPT_SECONDS = 0.020

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...core.audio import Samples
+from ...core.speech.audio import Samples
 
 WORDS_PER_MINUTE = 175
 # Seconds at that rate.

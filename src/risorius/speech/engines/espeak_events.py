@@ -12,8 +12,8 @@ from collections.abc import Sequence
 from itertools import pairwise, zip_longest
 from typing import Any, NamedTuple
 
-from ...core.audio import Samples
-from ...core.utterance import SILENCE
+from ...core.speech.audio import Samples
+from ...core.speech.utterance import SILENCE
 from ...languages import Language, phonesets
 from ...languages.phonesets import ArpabetReading, PhonePart
 from ...rules.articulation import is_known

@@ -15,7 +15,7 @@ from xml.sax.saxutils import escape, quoteattr
 
 from ...core.choices import RATES
 from ...core.directions import Break, DirectedSpan, Emphasis
-from ...core.voice_style import PLAIN, VoiceAdjustment
+from ...core.speech.voice_style import PLAIN, VoiceAdjustment
 from ...errors import SpeechWarning, warn
 from ...languages import Language
 from .mnemonics import dictated

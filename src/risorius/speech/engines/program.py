@@ -18,8 +18,8 @@ from typing import Any
 
 import numpy as np
 
-from ...core.audio import Samples
-from ...core.utterance import SILENCE
+from ...core.speech.audio import Samples
+from ...core.speech.utterance import SILENCE
 from ...errors import SpeechError, SpeechWarning, warn
 from ...languages import language_of, phonesets
 from ...machine import programs

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
-from ...core.audio import Samples
 from ...core.directions import Break, DirectedSpan
-from ...core.voice_style import PLAIN, VoiceAdjustment
+from ...core.speech.audio import Samples
+from ...core.speech.voice_style import PLAIN, VoiceAdjustment
 
 
 @dataclass(frozen=True, slots=True)

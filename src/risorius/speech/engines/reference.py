@@ -11,7 +11,7 @@ from functools import cache
 import numpy as np
 
 from ...core.arrays import Array, Int8Array, Int64Array
-from ...core.audio import Samples
+from ...core.speech.audio import Samples
 from .protocol import Rendition, SpokenPhone
 
 HOP, WINDOW = 0.010, 0.025

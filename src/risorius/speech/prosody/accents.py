@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection
 from typing import NamedTuple
 
-from ...core.tobi import UNKNOWN_ACCENT
-from ...core.utterance import Accent, Phone, Utterance
+from ...core.speech.tobi import UNKNOWN_ACCENT
+from ...core.speech.utterance import Accent, Phone, Utterance
 from ...languages import Language, language_of
 from ..structure.accents import PRIMARY
 from .contour import Contour

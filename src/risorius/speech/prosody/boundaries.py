@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...core.tobi import UNKNOWN_BOUNDARY
-from ...core.utterance import Boundary, Utterance
+from ...core.speech.tobi import UNKNOWN_BOUNDARY
+from ...core.speech.utterance import Boundary, Utterance
 from .contour import Contour
 from .cues import Cues, vowel_of
 from .rules import BoundaryOdds, probability, prosody_rules

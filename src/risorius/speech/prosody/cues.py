@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...core.arrays import Array
-from ...core.utterance import Phone, Syllable, Utterance
+from ...core.speech.utterance import Phone, Syllable, Utterance
 from ...languages import phonesets
 from ..resampled import LEVEL_STEP, Resampled
 from .contour import Contour

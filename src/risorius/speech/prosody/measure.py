@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
-from ...core.utterance import Accent, Boundary, Syllable, Utterance
+from ...core.speech.utterance import Accent, Boundary, Syllable, Utterance
 from ..resampled import Resampled
 from ..structure.nuclei import with_nuclei
 from ..structure.phrases import with_phrases

@@ -9,7 +9,7 @@ from threading import Lock
 
 import numpy as np
 
-from ...core.audio import Audio
+from ...core.speech.audio import Audio
 from ..resampled import Resampled
 from .pitch import Pitch, measure_pitch
 from .running import RunningRange

@@ -6,7 +6,7 @@ from bisect import bisect_left
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ...core.utterance import Utterance
+from ...core.speech.utterance import Utterance
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...core.audio import Audio
 from ...core.directions import DirectedSpan, Directions
-from ...core.utterance import SILENCE, Phone, Utterance, Word
+from ...core.speech.audio import Audio
+from ...core.speech.utterance import SILENCE, Phone, Utterance, Word
 from ...errors import InputError
 from ..alignment import align
 from ..assembly.retime import dictated_phones

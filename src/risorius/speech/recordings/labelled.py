@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from ...core.audio import Audio, silence
-from ...core.utterance import SILENCE, Phone, Utterance, Word
+from ...core.speech.audio import Audio, silence
+from ...core.speech.utterance import SILENCE, Phone, Utterance, Word
 from ...errors import InputError, Place, SpeechWarning, warn
 from ...script.quote import quoted
 from ...script.textgrid import INTERVALS, Label, TextGrid, Tier

@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from ...core.utterance import SILENCE
+from ...core.speech.utterance import SILENCE
 from ...errors import InputError, Place, unknown
 from ...languages import phonesets
 from ...rules.articulation import is_known

@@ -14,9 +14,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from ...core.arrays import Array, BoolArray
-from ...core.audio import Audio
 from ...core.progress import Progress, quiet
-from ...core.utterance import SILENCE, Utterance, Word
+from ...core.speech.audio import Audio
+from ...core.speech.utterance import SILENCE, Utterance, Word
 from ...errors import InputError
 from ...languages import phonesets
 from ..alignment.aligner import Located, assembled, moved, refined

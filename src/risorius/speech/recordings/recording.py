@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 from ...core.arrays import BoolArray, Float32Array
-from ...core.audio import Audio, AudioWriter
+from ...core.speech.audio import Audio, AudioWriter
 from ...errors import InputError, Place, SpeechWarning, warn
 from .film_sound import FilmSound, container_of
 

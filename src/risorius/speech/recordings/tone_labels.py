@@ -7,8 +7,8 @@ from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from ...core.tobi import BOUNDARY_TONES, PITCH_ACCENTS, UNKNOWN_ACCENT, UNKNOWN_BOUNDARY, boundary_tone
-from ...core.utterance import Accent, Boundary, Syllable, Word
+from ...core.speech.tobi import BOUNDARY_TONES, PITCH_ACCENTS, UNKNOWN_ACCENT, UNKNOWN_BOUNDARY, boundary_tone
+from ...core.speech.utterance import Accent, Boundary, Syllable, Word
 from ...errors import InputError, Place, unknown
 from ...script.textgrid import POINTS, Label, TextGrid, Tier
 from ..structure.nuclei import with_nuclei

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 
 from ...core.directions import Directions, ToneMark
-from ...core.utterance import Accent, Boundary, Phrase, Utterance, Word
+from ...core.speech.utterance import Accent, Boundary, Phrase, Utterance, Word
 from ...languages import Language, language_of, phonesets
 from ...languages.intonation import Candidate
 from .context import THEME, DiscourseContext, PlacedWord, context_of

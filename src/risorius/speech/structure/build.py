@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...core.audio import Audio
-from ...core.utterance import Phone, Utterance, Word
+from ...core.speech.audio import Audio
+from ...core.speech.utterance import Phone, Utterance, Word
 from ...languages import language_of
 from .accents import intone
 from .lines import TextLine

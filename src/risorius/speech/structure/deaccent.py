@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence, Set
 from functools import cache
 from itertools import pairwise
 
-from ...core.utterance import Utterance
+from ...core.speech.utterance import Utterance
 from ...languages import AccentPlaces, Language, Nouns, plain_word
 
 _WITHIN = 2  # words before a noun among which its determiner stands

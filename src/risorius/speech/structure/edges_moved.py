@@ -11,7 +11,7 @@ from typing import Annotated, TypeVar
 import numpy as np
 
 from ...core.arrays import Array
-from ...core.utterance import Utterance
+from ...core.speech.utterance import Utterance
 from ...errors import InputError, SpeechWarning, warn
 from ...reading.hints import Range
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ...core.directions import UNDIRECTED, Directions
-from ...core.utterance import Phone, Word
+from ...core.speech.utterance import Phone, Word
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 from itertools import zip_longest
 
-from ...core.utterance import Accent
+from ...core.speech.utterance import Accent
 
 
 def with_nuclei(accents: Sequence[Accent], last_words: Collection[int]) -> tuple[Accent, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence, Set
 
-from ...core.utterance import SILENCE, Pause, PauseKind, Phone, Word
+from ...core.speech.utterance import SILENCE, Pause, PauseKind, Phone, Word
 from ...languages import Language, plain_word
 from .lines import TextLine, following_texts
 

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator, Sequence, Set
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from ...core.utterance import SENTENCE_ENDS, Ending, PauseKind, Phrase, Question, Utterance
+from ...core.speech.utterance import SENTENCE_ENDS, Ending, PauseKind, Phrase, Question, Utterance
 from ...languages import Language, language_of, plain_word
 from ..text.sentences import divide
 from .lines import TextLine, following_texts, whole

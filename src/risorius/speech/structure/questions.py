@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import dropwhile
 
-from ...core.utterance import Question
+from ...core.speech.utterance import Question
 from ...languages import Language, Questions, plain_word
 
 # The first words of a sentence among which its question word is sought.

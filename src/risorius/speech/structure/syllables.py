@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from ...core.utterance import Phone, Syllable, Word
+from ...core.speech.utterance import Phone, Syllable, Word
 from ...languages import Language, phonesets
 
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from ...core.audio import AudioWriter
+from ...core.speech.audio import AudioWriter
 from ...errors import RisoriusError
 from ...machine.atomic import replacing
 from ...ports.import_result import ScoreFile

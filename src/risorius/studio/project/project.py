@@ -18,9 +18,9 @@ from typing import Annotated, Any, Protocol
 import numpy as np
 import soundfile
 
-from ...core.audio import Audio, AudioWriter
 from ...core.edits import Add, Edit, Keys
-from ...core.utterance import Utterance
+from ...core.speech.audio import Audio, AudioWriter
+from ...core.speech.utterance import Utterance
 from ...errors import InputError
 from ...ports.import_result import ScoreFile
 from ...ports.score.score_json import ScoreDocument, score_to_json

@@ -8,13 +8,13 @@ from collections.abc import Mapping
 import numpy as np
 
 from ...core.arrays import Array, Int16Array
-from ...core.audio import Audio
 from ...core.channels import CHANNELS
 from ...core.edits import is_edited
 from ...core.movement import Cause, LipSegment, ManualCurve, Movement, fitted
 from ...core.parameters import NAMES, NEUTRAL
 from ...core.score import Score
-from ...core.utterance import Utterance
+from ...core.speech.audio import Audio
+from ...core.speech.utterance import Utterance
 from ..wire import takes
 
 # Seconds of sound to a bucket of the waveform, coarse to fine; none has more buckets than MOST_BUCKETS.

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from ...core.edits import identified
 from ...core.progress import Progress
-from ...core.utterance import Utterance
+from ...core.speech.utterance import Utterance
 from ...errors import InputError, warnings_to
 from ...pipeline import compose, speak
 from ...ports.import_result import ScoreFile

@@ -8,7 +8,7 @@ from typing import Any
 from ...core.edits import Add, ClearKeys, Edit, Keys, edited, named
 from ...core.movement import Movement
 from ...core.score import Score
-from ...core.utterance import Utterance
+from ...core.speech.utterance import Utterance
 from ...settings import Settings
 from ..wire.marks import LaneStates, Marker
 from ..wire.shared import TakeInputs

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from difflib import SequenceMatcher
 from enum import IntEnum
 
-from ...core.utterance import Phone, Utterance, Word
+from ...core.speech.utterance import Phone, Utterance, Word
 
 
 class Fit(IntEnum):

@@ -9,10 +9,10 @@ from enum import StrEnum
 from itertools import groupby, pairwise
 from typing import Annotated
 
-from ..reading.hints import Range
+from ...reading.hints import Range
+from ..time import put_on_ticks, ticks_of
+from ..units import Seconds, Share
 from .audio import Audio
-from .time import put_on_ticks, ticks_of
-from .units import Seconds, Share
 
 SILENCE = ""
 Stress = Annotated[int, Range(-1, 2)]

@@ -3,7 +3,7 @@ import pickle
 
 import numpy as np
 
-from risorius.core.audio import AudioWriter, silence
+from risorius.core.speech.audio import AudioWriter, silence
 
 
 def test_what_is_written_is_read_back_in_blocks() -> None:

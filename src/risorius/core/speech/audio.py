@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from .arrays import Int16Array
+from ..arrays import Int16Array
 
 _BLOCK = 65_536  # samples
 Samples = Int16Array

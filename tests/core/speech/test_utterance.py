@@ -1,6 +1,6 @@
 import pytest
 
-from risorius.core.utterance import Ending, Phone, Phrase, check_continuous, check_phrases
+from risorius.core.speech.utterance import Ending, Phone, Phrase, check_continuous, check_phrases
 
 
 @pytest.mark.parametrize(

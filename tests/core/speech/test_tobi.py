@@ -1,6 +1,6 @@
 import pytest
 
-from risorius.core.tobi import boundary_tone, is_intonational, pitch_accent
+from risorius.core.speech.tobi import boundary_tone, is_intonational, pitch_accent
 from risorius.errors import ParameterError
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..errors import ParameterError, unknown
+from ...errors import ParameterError, unknown
 
 UNKNOWN_ACCENT, UNKNOWN_BOUNDARY = "*", "%"
 PITCH_ACCENTS = ("H*", "L*", "L+H*", "L*+H", "H+!H*", "!H*", "L+!H*", "L*+!H")

@@ -1,0 +1,1 @@
+"""Types of speech: sound, utterances, tones, and the adjustment of a voice."""
