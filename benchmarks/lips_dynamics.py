@@ -25,7 +25,7 @@ from lips_measures import machine
 
 from risorius import blend
 from risorius.core.arrays import Array
-from risorius.core.articulators import APERTURE
+from risorius.core.lips.articulators import APERTURE
 from risorius.core.movement import LipSegment
 from risorius.core.speech.utterance import Phone
 from risorius.face.fit.lip_file import load_lip_rig

@@ -24,7 +24,7 @@ from risorius.blend.mouth.coarticulation import (
     without_gaps,
 )
 from risorius.blend.mouth.shapes import performed
-from risorius.core.articulators import ARTICULATORS
+from risorius.core.lips.articulators import ARTICULATORS
 from risorius.core.score import Score
 from risorius.face.fit.lip_file import load_lip_rig
 from risorius.pipeline import compose

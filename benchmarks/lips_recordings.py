@@ -26,7 +26,7 @@ from risorius import blend
 from risorius.channels import ChannelInputs, compose
 from risorius.core.arrays import Array
 from risorius.core.channels import CHANNELS
-from risorius.core.lip_rig import gap_left
+from risorius.core.lips.lip_rig import gap_left
 from risorius.core.parameters import INDEX, NAMES
 from risorius.core.speech.audio import Audio
 from risorius.core.speech.utterance import Utterance

@@ -10,8 +10,8 @@ import argparse
 
 import numpy as np
 
-from risorius.core.articulators import FITTED
-from risorius.core.lip_rig import MEASURES
+from risorius.core.lips.articulators import FITTED
+from risorius.core.lips.lip_rig import MEASURES
 from risorius.face.fit.lip_file import FILE
 from risorius.face.fit.lip_fit import AT_REST, LARGEST, MeasuredMouth, fit
 from risorius.face.head.head import FORMAT, load_head, shipped_heads

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .core.arrays import Array, ByteArray
-from .core.articulators import ARTICULATORS
-from .core.lip_rig import LipRig
+from .core.lips.articulators import ARTICULATORS
+from .core.lips.lip_rig import LipRig
 from .core.parameters import MUSCLES, NAMES, parameters_named
 from .core.performance import Performance
 from .core.progress import Progress, quiet

@@ -10,8 +10,8 @@ from risorius import blend
 from risorius.channels import ChannelInputs, Display
 from risorius.channels import compose as compose_channels
 from risorius.core.arkit import INDEX as SHAPE
-from risorius.core.articulators import JAW, PROTRUSION
-from risorius.core.lip_rig import gap_left
+from risorius.core.lips.articulators import JAW, PROTRUSION
+from risorius.core.lips.lip_rig import gap_left
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX, NAMES
 from risorius.core.score import Score

@@ -12,7 +12,7 @@ import pytest
 import risorius
 from risorius.cli import run
 from risorius.core.directions import Directions, ToneMark
-from risorius.core.lip_rig import OPENING
+from risorius.core.lips.lip_rig import OPENING
 from risorius.core.speech.utterance import Utterance
 from risorius.errors import Place
 from risorius.face.fit.lip_file import load_lip_rig

@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..core.arrays import Array
-from ..core.lip_rig import LipRig
+from ..core.lips.lip_rig import LipRig
 from ..core.movement import LipSegment, Movement
 from ..core.parameters import INDEX, NEUTRAL, PARAMETERS
 from ..core.score import Score

@@ -16,7 +16,7 @@ import numpy as np
 
 from ..core.arrays import Array
 from ..core.channels import CHANNELS
-from ..core.lip_rig import OPENING, LipRig
+from ..core.lips.lip_rig import OPENING, LipRig
 from ..core.parameters import INDEX, NAMES, NEUTRAL
 from ..core.performance import Performance, frame_times
 from ..core.score import Score, check_score

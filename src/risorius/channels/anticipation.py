@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from ..core.articulators import PROTRUSION, WIDTH
+from ..core.lips.articulators import PROTRUSION, WIDTH
 from ..core.movement import LipSegment
 from ..core.speech.utterance import SILENCE, Phone, Utterance
 from ..reading.frozen import FrozenDict

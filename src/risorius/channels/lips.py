@@ -9,7 +9,7 @@ import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from ..core.articulators import PROTRUSION, SHORTEST_CLOSURE, within_range
+from ..core.lips.articulators import PROTRUSION, SHORTEST_CLOSURE, within_range
 from ..core.movement import Cause, LipSegment, silent_dominance
 from ..core.speech.utterance import SILENCE, PauseKind, Phone, Utterance
 from ..languages.phonesets import to_arpabet

@@ -9,10 +9,10 @@ import numpy as np
 
 from ..errors import InputError, ParameterError, unknown
 from .action_units import Targets, check_intensity, in_parameters, unit_weights
-from .articulators import leader
 from .channels import CHANNELS
 from .functions import DEFAULT_FUNCTION, ONSET_FUNCTIONS, FunctionName
 from .key_shapes import KeyShape
+from .lips.articulators import leader
 from .parameters import INDEX, PARAMETERS, check_value
 from .time import on_ticks, put_on_ticks
 from .units import MAX_SECONDS, Seconds

@@ -8,9 +8,9 @@ from typing import Annotated
 
 from ..errors import InputError
 from ..reading.hints import Range
-from .articulators import check_lip_target
 from .choices import CONFLICT, CONTACT, LIPS, ROUNDING
 from .functions import FunctionName
+from .lips.articulators import check_lip_target
 from .movement import (
     LipSegment,
     ManualCurve,

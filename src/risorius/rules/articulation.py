@@ -9,7 +9,7 @@ from functools import cache
 from itertools import pairwise
 from typing import NamedTuple
 
-from ..core.articulators import PROTRUSION, within_range
+from ..core.lips.articulators import PROTRUSION, within_range
 from ..core.units import Share
 from ..errors import InputError, ParameterError, unknown
 from ..languages.phones import check_phones

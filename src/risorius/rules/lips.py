@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Annotated, Any
 
-from ..core.articulators import APERTURE, ARTICULATORS, JAW, check_lip_target
+from ..core.lips.articulators import APERTURE, ARTICULATORS, JAW, check_lip_target
 from ..core.movement import Dominance
 from ..core.parameters import INDEX, parameters_named
 from ..core.units import Share

@@ -14,7 +14,7 @@ from risorius import blend
 from risorius.blend.mouth.closure_speed import CHIN, ClosureSpeedLimit, smooth_minimum
 from risorius.blend.mouth.contact import SEAL, TUCK, contact_goals
 from risorius.blend.mouth.tradeoffs import checked, tradeoffs
-from risorius.core.lip_rig import OPENING, gap_left
+from risorius.core.lips.lip_rig import OPENING, gap_left
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX
 from risorius.core.score import BlendSettings, Score

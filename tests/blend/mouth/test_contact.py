@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from risorius import blend
 from risorius.blend.mouth.contact import SEAL, TUCK, GoalCurve, contact_goals
 from risorius.blend.mouth.tradeoffs import tradeoffs
-from risorius.core.articulators import PROTRUSION, SHORTEST_CLOSURE
+from risorius.core.lips.articulators import PROTRUSION, SHORTEST_CLOSURE
 from risorius.core.movement import LipSegment, Movement
 from risorius.core.parameters import INDEX
 from risorius.core.score import BlendSettings, Score

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.core.articulators import SEAL_MM
+from risorius.core.lips.articulators import SEAL_MM
 from risorius.face.contact.contact import Contacts, find_contacts
 from risorius.face.contact.mouth import Mouth, TeethEdge
 from risorius.face.contact.plate import nearby, plate_compliance

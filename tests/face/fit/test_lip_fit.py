@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from risorius.core.articulators import ARTICULATORS, FITTED
-from risorius.core.lip_rig import MEASURES, RAISER, LipRig, rig_of_fit
+from risorius.core.lips.articulators import ARTICULATORS, FITTED
+from risorius.core.lips.lip_rig import MEASURES, RAISER, LipRig, rig_of_fit
 from risorius.core.parameters import DEFAULT_THRESHOLD, INDEX, NEUTRAL, RIVALS
 from risorius.errors import HeadError
 from risorius.face.fit.lip_file import FILE, load_lip_rig

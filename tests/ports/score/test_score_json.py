@@ -8,9 +8,9 @@ import pytest
 from hypothesis import HealthCheck, given
 from hypothesis import strategies as st
 
-from risorius.core.articulators import ARTICULATORS
 from risorius.core.channels import CHANNELS
 from risorius.core.functions import ONSET_FUNCTIONS
+from risorius.core.lips.articulators import ARTICULATORS
 from risorius.core.movement import Cause, Dominance, LipSegment, ManualCurve, Movement
 from risorius.core.parameters import PARAMETERS
 from risorius.core.score import BlendSettings, Score

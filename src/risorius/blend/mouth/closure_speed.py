@@ -21,9 +21,9 @@ from functools import cache
 import numpy as np
 
 from ...core.arrays import Array
-from ...core.articulators import APERTURE, JAW, PROTRUSION, SEAL_MM, WIDTH
 from ...core.functions import positive_part
-from ...core.lip_rig import seal_of
+from ...core.lips.articulators import APERTURE, JAW, PROTRUSION, SEAL_MM, WIDTH
+from ...core.lips.lip_rig import seal_of
 from ..intervals import merged
 from ..knots import smoothstep
 from .contact import SEAL, TUCK, Goal, GoalCurve

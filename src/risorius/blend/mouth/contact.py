@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...core.arrays import Array
-from ...core.articulators import PROTRUSION, SHORTEST_CLOSURE
+from ...core.lips.articulators import PROTRUSION, SHORTEST_CLOSURE
 from ...core.movement import LipSegment
 from ..intervals import ranges
 from ..knots import ramp

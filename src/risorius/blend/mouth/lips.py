@@ -8,8 +8,8 @@ from functools import cached_property
 import numpy as np
 
 from ...core.arrays import Array, IndexArray
-from ...core.articulators import ARTICULATORS
-from ...core.lip_rig import RAISER, LipRig
+from ...core.lips.articulators import ARTICULATORS
+from ...core.lips.lip_rig import RAISER, LipRig
 from ...core.movement import Dominance, LipSegment
 from ...core.parameters import BASES, PARAMETERS, Kind
 from ...core.score import Score

@@ -26,8 +26,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...core.arrays import Array, BoolArray, IndexArray
-from ...core.articulators import APERTURE, ARTICULATORS, leader
 from ...core.functions import minimum_jerk
+from ...core.lips.articulators import APERTURE, ARTICULATORS, leader
 from ...core.movement import LipSegment
 from ...core.parameters import BASES, INDEX, PARAMETERS, Parameter
 from ...core.speech.utterance import SILENCE

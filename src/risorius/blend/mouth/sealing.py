@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ...core.arrays import Array
-from ...core.lip_rig import LipRig
+from ...core.lips.lip_rig import LipRig
 from .closure_speed import MouthGaps
 from .contact import SEAL, TUCK, beside_tuck
 from .lips import CompiledLips

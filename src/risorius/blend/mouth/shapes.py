@@ -7,9 +7,9 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from ...core.arrays import Array
-from ...core.articulators import ARTICULATORS
 from ...core.functions import positive_part
-from ...core.lip_rig import SEAL, Averages, LipRig
+from ...core.lips.articulators import ARTICULATORS
+from ...core.lips.lip_rig import SEAL, Averages, LipRig
 from ...core.movement import LipSegment
 from ...core.parameters import INDEX, PARAMETERS, Kind
 from ...errors import InputError

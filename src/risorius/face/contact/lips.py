@@ -10,7 +10,7 @@ import numpy as np
 import scipy.sparse as sp
 
 from ...core.arrays import Array
-from ...core.articulators import SEAL_MM, WIDEST_MM
+from ...core.lips.articulators import SEAL_MM, WIDEST_MM
 from ..head.head import Head
 from ..muscles.jaw import Jaw
 from ..numerics.complementarity import Gaps, Workspace, solve_gaps

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ...core.lip_rig import DEGREE, MEASURES, NONE, LipRig, rig_of_fit
+from ...core.lips.lip_rig import DEGREE, MEASURES, NONE, LipRig, rig_of_fit
 from ..head.head_file import HeadFile
 from ..head.head_folder import head_file
 

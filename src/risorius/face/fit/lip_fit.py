@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 
 from ...core.arrays import Array, Int64Array
-from ...core.articulators import APERTURE, FITTED
-from ...core.lip_rig import DEGREE, MEASURES, NONE, LipRig, rig_of_fit
+from ...core.lips.articulators import APERTURE, FITTED
+from ...core.lips.lip_rig import DEGREE, MEASURES, NONE, LipRig, rig_of_fit
 from ...core.parameters import BASES, INDEX, NEUTRAL
 from ..head.head import Head, load_head
 from ..solve import FaceSolver

@@ -18,7 +18,7 @@ import numpy as np
 
 from ...core.arkit import CSV_SHAPES, INDEX, ROTATIONS, SHAPES, column_of
 from ...core.arrays import Array
-from ...core.lip_rig import OPENING, seal_of
+from ...core.lips.lip_rig import OPENING, seal_of
 from ...core.parameters import INDEX as PARAMETER
 from ...errors import InputError, unknown
 from ...face.fit.arkit_direct import gaze_of

@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from typing import Annotated, Any, Literal, TypeVar
 
 from ...core.action_units import in_parameters, read_targets
-from ...core.articulators import ARTICULATORS, check_lip_target
 from ...core.channels import CHANNELS
 from ...core.functions import DEFAULT_FUNCTION
 from ...core.key_shapes import KeyShape
+from ...core.lips.articulators import ARTICULATORS, check_lip_target
 from ...core.movement import (
     Cause,
     Dominance,

@@ -9,8 +9,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from ..errors import ParameterError, unknown
-from .parameters import INDEX, PARAMETERS, check_value
+from ...errors import ParameterError, unknown
+from ..parameters import INDEX, PARAMETERS, check_value
 
 JAW, APERTURE, WIDTH, PROTRUSION = "jaw_drop", "lip_aperture", "lip_width", "lip_protrusion"
 UPPER, CORNERS = "upper_lip", "lip_corners"

@@ -23,7 +23,9 @@ from itertools import product
 
 import numpy as np
 
-from .arrays import Array, Int64Array
+from ..arrays import Array, Int64Array
+from ..functions import positive_part
+from ..parameters import BASES, DEFAULT_THRESHOLD
 from .articulators import (
     APERTURE,
     ARTICULATORS,
@@ -38,8 +40,6 @@ from .articulators import (
     WIDEST_MM,
     WIDTH,
 )
-from .functions import positive_part
-from .parameters import BASES, DEFAULT_THRESHOLD
 
 Averages = Callable[[str], Array]
 """Returns the blended values (n,) of a target, by name."""

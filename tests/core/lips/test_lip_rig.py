@@ -4,8 +4,8 @@ from itertools import combinations_with_replacement
 
 import numpy as np
 
-from risorius.core.articulators import CONTROLS
-from risorius.core.lip_rig import DEGREE, MEASURES, NONE, LipRig, _solve
+from risorius.core.lips.articulators import CONTROLS
+from risorius.core.lips.lip_rig import DEGREE, MEASURES, NONE, LipRig, _solve
 
 RNG = np.random.default_rng(3)
 COUNT = 400
