@@ -134,7 +134,7 @@ def test_what_can_be_noticed_without_waiting(worker: Worker) -> None:
 def test_threads_are_counted() -> None:
     with Worker(threads=3) as worker:
         variables = worker.call(task("variables"))
-    assert variables["OPENBLAS_NUM_THREADS"] == variables["NUMBA_NUM_THREADS"] == "1"
+    assert variables["OPENBLAS_NUM_THREADS"] == variables["OMP_NUM_THREADS"] == "1"
     assert variables["RISORIUS_THREADS"] == "3"
 
 

@@ -1,7 +1,7 @@
 """Processes of our own that do tasks for this one, and what becomes of a task whose process dies or hangs.
 
-A worker is a program beside this one (`worker.py`), not a fork: numpy and numba find the number of their
-threads when they are loaded, and a user's script is not run again in each worker. A socket connects the two.
+A worker is a program beside this one (`worker.py`), not a fork: numpy finds the number of its threads
+when it is loaded, and a user's script is not run again in each worker. A socket connects the two.
 A request is the name of a task, "package.module:function" or "/folder/file.py:function", and its arguments.
 The answer is what the function returns, or the RisoriusError that it raises; before it come the items that
 the task tells on its way. All of this is pickled. What is large and comes often, as the pictures of a film,
@@ -34,7 +34,7 @@ SECONDS = 60.0
 """How long a request may take if nothing else is said."""
 _STEP = 0.5  # s: a time limit is waited for in such steps, so that time in which we are stopped counts little
 _LAST_WORDS = 4_000  # bytes of what a worker complains of that are read
-_THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
+_THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 
 
 class WorkerError(Exception):
