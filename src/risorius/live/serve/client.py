@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import hmac
 import logging
 import time
 from collections.abc import Callable
@@ -24,6 +23,7 @@ from . import limits
 from .choices import settings_from
 from .frame_queue import FrameQueue
 from .frames import FrameLayout, written
+from .guard import has_token
 from .messages import (
     VERSION,
     ClientMessage,
@@ -129,16 +129,11 @@ class LiveClient:
             raise GoodbyeError(error.message) from None
         if not isinstance(message, StartFace):
             raise GoodbyeError("expected 'start' as the first message")
-        if self._gate.token is not None and not self._knows(self._gate.token, message.token):
+        if self._gate.token is not None and not has_token(
+            self._socket.headers, self._gate.token, message.token
+        ):
             raise GoodbyeError("wrong token; expected that of this server, in 'start' or as Bearer")
         return message
-
-    def _knows(self, token: str, said: str | None) -> bool:
-        kind, _, given = self._socket.headers.get("authorization", "").partition(" ")
-        tokens = [said, given if kind.lower() == "bearer" else None]
-        # Every comparison takes the same time, whatever was said.
-        known = [hmac.compare_digest((other or "").encode(), token.encode()) for other in tokens]
-        return any(known)
 
     def _wanted(self, start: StartFace) -> tuple[FrameLayout, Settings]:
         """Return the contents of frames, and the settings; a request that cannot be met ends it."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hmac
 from collections.abc import Iterable
 from urllib.parse import urlsplit
 
@@ -89,3 +90,14 @@ def _with_headers(send: Send) -> Send:
         await send(message)
 
     return sent
+
+
+def has_token(headers: Headers, token: str, message_token: str | None = None) -> bool:
+    """Whether a client sends the server's token: as Bearer, or as the token of its message.
+
+    Every comparison takes the same time, whatever the client sends.
+    """
+    kind, _, bearer = headers.get("authorization", "").partition(" ")
+    sent = (message_token, bearer if kind.lower() == "bearer" else None)
+    equal = [hmac.compare_digest((one or "").encode(), token.encode()) for one in sent]
+    return any(equal)

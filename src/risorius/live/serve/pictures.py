@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hmac
 import io
 import threading
 from collections import OrderedDict
@@ -30,6 +29,7 @@ from ...render.framing import frame_head
 from ...render.software_renderer import SoftwareRenderer
 from ...settings import Look, Settings
 from ...solvers import SolverCache
+from .guard import has_token
 
 K = TypeVar("K")
 V = TypeVar("V")
@@ -119,7 +119,7 @@ class PictureServer:
 
     async def picture(self, request: Request) -> Response:
         """Send a picture with a transparent background."""
-        if self._token is not None and not _has_token(request, self._token):
+        if self._token is not None and not has_token(request.headers, self._token):
             return PlainTextResponse("wrong token; expected that of this server, as Bearer\n", 403)
         if self._waiting >= WAITING:
             return PlainTextResponse("too many pictures are being drawn\n", 503)
@@ -163,8 +163,3 @@ def _kept(kept: OrderedDict[K, V], key: K, make: Callable[[], V]) -> V:
     while len(kept) > KEPT:
         kept.popitem(last=False)
     return kept[key]
-
-
-def _has_token(request: Request, token: str) -> bool:
-    kind, _, given = request.headers.get("authorization", "").partition(" ")
-    return kind.lower() == "bearer" and hmac.compare_digest(given.encode(), token.encode())
