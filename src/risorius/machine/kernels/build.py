@@ -17,6 +17,7 @@ from importlib import import_module
 from pathlib import Path
 
 from .. import cache_folder
+from ..processes import processors
 from .declared import kernels
 from .digest import digest, reached
 from .files import file_name, of_packages
@@ -47,16 +48,12 @@ def compile_into(folder: Path, files: Sequence[CodeFile]) -> None:
             stderr=subprocess.PIPE,
             text=True,
         )
-        for share in _shares(files, _cores())
+        for share in _shares(files, processors())
     ]
     said = [process.communicate()[1] for process in running]
     for process, text in zip(running, said, strict=True):
         if process.returncode:
             raise ValueError((text.strip().splitlines() or [f"exit code {process.returncode}"])[-1])
-
-
-def _cores() -> int:
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _shares(files: Sequence[CodeFile], count: int) -> Iterator[list[str]]:
