@@ -18,7 +18,7 @@ from risorius.core.arrays import AnyArray, Array, ByteArray, FloatArray
 FOLDER = Path(__file__).parent
 EXAMPLES = FOLDER.parents[1] / "examples"
 STEP = 12
-"""Of the skin's vertices, every twelfth is kept."""
+"""The golden files hold every twelfth vertex of the skin."""
 
 
 def curves_of(script: str, emotion: tuple[str, ...] = (), **settings: Any) -> Array:

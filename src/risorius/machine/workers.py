@@ -117,7 +117,7 @@ class Worker:
         self.is_closed = True
         self._process.kill()
         self._process.wait()
-        with self._lock:  # a thread that waits for an answer notices first that there will be none
+        with self._lock:  # a thread that waits for an answer first notices the end
             self.connection.close()
             self._complaints.close()
 
@@ -195,7 +195,7 @@ class LastingWorker:
 
     @property
     def pid(self) -> int | None:
-        """The process' number, None if there is none."""
+        """The process' number, None before the worker starts."""
         return None if self._worker is None else self._worker.pid
 
     def call(self, task: str, *arguments: object, seconds: float = SECONDS) -> Any:

@@ -57,7 +57,7 @@ def digest(folder: Path, source: str) -> str:
 
 @pytest.fixture(autouse=True)
 def forget():
-    """Forget the kernel of the text, which is none of the package's."""
+    """Forget the kernel of the text, which does not belong to the package."""
     yield
     kernels.pop(".run", None)
 

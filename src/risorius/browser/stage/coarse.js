@@ -59,7 +59,7 @@ export class Lighter {
 
   /**
    * @param {Mesh} full @param {Few} few
-   * @param {number} wide how much wider ribbons are; 1 for what is none
+   * @param {number} wide how much wider ribbons are; 1 for other meshes
    */
   constructor(full, { order, index }, wide) {
     this.#full = full;
