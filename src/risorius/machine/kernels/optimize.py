@@ -40,8 +40,9 @@ def object_file(texts: Mapping[str, str], processors: str) -> bytes:
     """
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
+    # Sections may be loaded farther apart than the small model reaches, and LLVM ends the process then.
     machine = llvm.Target.from_default_triple().create_target_machine(
-        cpu=processors, opt=3, reloc="pic", codemodel="small"
+        cpu=processors, opt=3, reloc="static", codemodel="large"
     )
     whole: Any = None
     for symbol, text in texts.items():
