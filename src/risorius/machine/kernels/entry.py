@@ -27,13 +27,15 @@ KINDS = types.intp(types.intp, types.intp, types.intp)
 
 def entry_of(kernel: Declaration, signature: Signature, compiled: Any) -> Callable[..., int]:
     """Return an entry, still to be compiled."""
+    values = signature.values
     known: dict[str, Any] = {
         "kernel": compiled,
+        "kinds": np.array([_kind(value) for value in values], np.int64).reshape(-1, 4 + MOST_AXES),
+        "matches": _matches,
         "carray": numba.carray,
         "long": _long,
-        "number": _number,
-        "real": _real,
-        "short": _short,
+        "read_real": _real,
+        "read_short": _read_short,
         "whole": _whole,
         "call": _call,
         "resume": _resume,
@@ -41,74 +43,73 @@ def entry_of(kernel: Declaration, signature: Signature, compiled: Any) -> Callab
         "of_real": _of_real,
     }
     lines = ["def entry(own, arguments, count):", f"    table = long(own + {LAYOUT.data})"]
-    for k, field in enumerate(PythonTable._fields):
-        lines.append(f"    {field} = long(table + {8 * k})")
-    values = signature.values
-    lines += [f"    if count != {len(values)}:", "        return counted(count_up, refusal)"]
+    lines += [f"    if count != {len(values)} or not matches(arguments, table, kinds):"]
+    lines += [f"        return counted({_of_python('count_up')}, {_of_python('refusal')})"]
     for k, value in enumerate(values):
-        lines.append(f"    v{k} = long(arguments + {8 * k})")
-        lines += [f"    if {_differs(f'v{k}', value)}:", "        return counted(count_up, refusal)"]
-    for k, value in enumerate(values):
-        lines += _read(f"v{k}", value, known)
-    left = [f"v{k}" for k in range(len(values))]
+        lines += [f"    v{k} = long(arguments + {8 * k})", f"    n{k} = {_read(f'v{k}', value, known)}"]
+    left = [f"n{k}" for k in range(len(values))]
     run = f"kernel({', '.join(_expression(kind, left, known) for kind in signature.arguments)})"
-    lines += ["    state = call(release_lock)", f"    {'result = ' if signature.result else ''}{run}"]
-    lines += ["    resume(take_lock, state)", f"    return {_returned(signature.result)}"]
+    lines += [f"    state = call({_of_python('release_lock')})"]
+    lines += [f"    {'result = ' if signature.result else ''}{run}"]
+    lines += [f"    resume({_of_python('take_lock')}, state)", f"    return {_returned(signature.result)}"]
     exec(compile("\n".join(lines), f"<entry of {kernel.name}>", "exec"), known)
     entry: Callable[..., int] = known["entry"]
     return entry
 
 
-def _differs(name: str, value: Value) -> str:
-    """Return source that is true unless a value is of a type."""
-    kind = f"long({name} + {LAYOUT.type})"
-    if value.shape:
-        order = _ORDERS[value.dtype.byteorder]
-        lengths = (f" or {_length(name, k)} != {n}" for k, n in enumerate(value.shape) if n)
-        return (
-            f"{kind} != array or number({name} + {LAYOUT.axes}) != {len(value.shape)} "
-            f"or number(long({name} + {LAYOUT.dtype}) + {LAYOUT.number}) != {value.dtype.num} "
-            f"or number(long({name} + {LAYOUT.dtype}) + {LAYOUT.order}) & 0xFF != {order} "
-            f"or number({name} + {LAYOUT.flags}) & {WELL_PLACED} != {WELL_PLACED}{''.join(lengths)}"
-        )
+def _of_python(field: str) -> str:
+    """Return source of an address in the table of what Python has."""
+    return f"long(table + {8 * PythonTable._fields.index(field)})"
+
+
+def _kind(value: Value) -> list[int]:
+    """Return what `_matches` compares a value with: a class, then for arrays what their header holds."""
+    if not value.shape:
+        return [_class_of(value), 0, 0, 0, *[0] * MOST_AXES]
+    lengths = [*value.shape, *[0] * (MOST_AXES - len(value.shape))]
+    return [_ARRAY, value.dtype.num, _ORDERS[value.dtype.byteorder], len(value.shape), *lengths]
+
+
+def _class_of(value: Value) -> int:
     if value.dtype.kind == "f":
-        short = f" and {kind} != short_type" if value.type == "f4" else ""
-        return f"{kind} != real_type and {kind} != real_type_of_numpy{short}"
-    return f"{name} != true and {name} != false" if value.dtype.kind == "b" else f"{kind} != whole_type"
+        return _SHORT if value.type == "f4" else _REAL
+    return _TRUTH if value.dtype.kind == "b" else _WHOLE
 
 
-def _length(name: str, axis: int) -> str:
-    return f"long(long({name} + {LAYOUT.shape}) + {8 * axis})"
-
-
-def _read(name: str, value: Value, known: dict[str, Any]) -> list[str]:
-    """Return source that replaces an object by its value."""
+def _read(name: str, value: Value, known: dict[str, Any]) -> str:
+    """Return source of the value of an object."""
     if value.shape:
         known[f"at_{value.type}"] = _pointer(value.dtype)
-        shape = "".join(f"{n or _length(name, k)}, " for k, n in enumerate(value.shape))
-        return [f"    {name} = carray(at_{value.type}(long({name} + {LAYOUT.data})), ({shape}))"]
+        lengths = (
+            str(n) if n else f"long(long({name} + {LAYOUT.shape}) + {8 * k})"
+            for k, n in enumerate(value.shape)
+        )
+        shape = "".join(f"{length}, " for length in lengths).replace(
+            "shape", f"long({name} + {LAYOUT.shape})"
+        )
+        return f"carray(at_{value.type}(long({name} + {LAYOUT.data})), ({shape}))"
     known["b1" if value.dtype.kind == "b" else value.type] = value.dtype.type
+    if value.type == "f4":
+        return f"read_short({name}, table)"
     if value.dtype.kind == "f":
-        read = f"{value.type}(real({name} + {LAYOUT.value}))"
-        if value.type == "f4":
-            read = f"short({name} + {LAYOUT.value}) if long({name} + {LAYOUT.type}) == short_type else {read}"
-        return [f"    n{name} = {read}"]
+        return f"{value.type}(read_real({name} + {LAYOUT.value}))"
     if value.dtype.kind == "b":
-        return [f"    n{name} = {name} == true"]
-    return [f"    n{name} = {value.type}(whole(read_whole, {name}))"]
+        return f"{name} == {_of_python('true')}"
+    return f"{value.type}(whole({_of_python('read_whole')}, {name}))"
 
 
 def _returned(result: Value | None) -> str:
     if result is None:
-        return "counted(count_up, nothing)"
-    return "of_real(make_real, result)" if result.dtype.kind == "f" else "whole(make_whole, result)"
+        return f"counted({_of_python('count_up')}, {_of_python('nothing')})"
+    if result.dtype.kind == "f":
+        return f"of_real({_of_python('make_real')}, result)"
+    return f"whole({_of_python('make_whole')}, result)"
 
 
 def _expression(kind: Value | Record, left: list[str], known: dict[str, Any]) -> str:
     """Return source of an argument, made of the names that are left, which it takes away."""
     if isinstance(kind, Value):
-        name = left.pop(0)
-        return name if kind.shape else f"n{name}"
+        return left.pop(0)
     parts = "".join(f"{_expression(part, left, known)}, " for part in kind.parts)
     if kind.make is None:
         return f"({parts})"
@@ -116,6 +117,15 @@ def _expression(kind: Value | Record, left: list[str], known: dict[str, Any]) ->
     return f"{kind.make.__name__}({parts})"
 
 
+MOST_AXES = 4
+"""Arrays have at most so many axes."""
+_ARRAY, _REAL, _SHORT, _TRUTH, _WHOLE = range(5)
+_TYPE, _VALUE, _SHAPE, _AXES = LAYOUT.type, LAYOUT.value, LAYOUT.shape, LAYOUT.axes
+_DTYPE, _FLAGS, _NUMBER, _ORDER = LAYOUT.dtype, LAYOUT.flags, LAYOUT.number, LAYOUT.order
+_ARRAY_TYPE, _REAL_TYPE, _NUMPY_TYPE, _SHORT_TYPE, _WHOLE_TYPE, _TRUE, _FALSE = (
+    8 * PythonTable._fields.index(field)
+    for field in ("array", "real_type", "real_type_of_numpy", "short_type", "whole_type", "true", "false")
+)
 _LONG = ir.IntType(64)
 _ORDERS = {"=": ord("="), "|": ord("|")}
 """The orders of bytes: this machine's, and that of single bytes."""
@@ -168,6 +178,61 @@ _whole = _caller(types.int64, types.int64)
 _of_real = _caller(types.int64, types.float64)
 _resume = _caller(types.void, types.int64)
 _counted = _caller(types.int64, types.int64, same=True)
+
+
+def _compiled(function: Callable[..., Any]) -> Any:
+    """Return a function that entries call."""
+    return numba.njit(error_model="numpy", no_cpython_wrapper=True, no_cfunc_wrapper=True)(function)
+
+
+@_compiled
+def _matches(arguments: int, table: int, kinds: Any) -> Any:
+    """Whether the objects that a pointer points to are of the kinds (n, 4 + `MOST_AXES`)."""
+    for k in range(len(kinds)):
+        value = _long(arguments + 8 * k)
+        type_of = _long(value + _TYPE)
+        kind = kinds[k]
+        if kind[0] == _ARRAY:
+            if type_of != _long(table + _ARRAY_TYPE) or not _is_array(value, kind):
+                return False
+        elif kind[0] == _WHOLE:
+            if type_of != _long(table + _WHOLE_TYPE):
+                return False
+        elif kind[0] == _TRUTH:
+            if value != _long(table + _TRUE) and value != _long(table + _FALSE):
+                return False
+        elif not _is_real(type_of, table) and (kind[0] != _SHORT or type_of != _long(table + _SHORT_TYPE)):
+            return False
+    return True
+
+
+@_compiled
+def _is_real(type_of: int, table: int) -> Any:
+    """Whether a type is Python's of real numbers, or numpy's of 64 bits, which derives from it."""
+    return type_of == _long(table + _REAL_TYPE) or type_of == _long(table + _NUMPY_TYPE)
+
+
+@_compiled
+def _is_array(value: int, kind: Any) -> Any:
+    """Whether an array's header is that of a kind."""
+    dtype, shape = _long(value + _DTYPE), _long(value + _SHAPE)
+    if _number(dtype + _NUMBER) != kind[1] or _number(dtype + _ORDER) & 0xFF != kind[2]:
+        return False
+    if _number(value + _AXES) != kind[3] or _number(value + _FLAGS) & WELL_PLACED != WELL_PLACED:
+        return False
+    for axis in range(kind[3]):
+        length = kind[4 + axis]
+        if length != 0 and length != _long(shape + 8 * axis):
+            return False
+    return True
+
+
+@_compiled
+def _read_short(value: int, table: int) -> Any:
+    """Return a number of 32 bits, of one of numpy's or of one of Python's."""
+    if _long(value + _TYPE) == _long(table + _SHORT_TYPE):
+        return _short(value + _VALUE)
+    return np.float32(_real(value + _VALUE))
 
 
 def _pointer(dtype: np.dtype[Any]) -> Any:
