@@ -1,4 +1,4 @@
-/** A head of the server on the example page's stage, in the server's draft pictures: where no graphics card draws. */
+/** A head on the example page's stage, shown in the server's draft pictures if there is no graphics card. */
 
 import { Newest, fetchPicture, pictureQuery } from "../stage/server_pictures.js";
 /** @import {Frame} from "./risorius-live.js" */
@@ -28,7 +28,7 @@ export class PicturedHead {
 
   /** Characters of one's own are drawn by browsers alone. @returns {Promise<void>} */
   async load() {
-    throw new Error("a character is drawn by the browser, which has no graphics card here");
+    throw new Error("characters need a graphics card, and this browser has none");
   }
 
   /** Have a frame drawn; null: the face at rest. @param {Frame | null} frame */

@@ -1,20 +1,20 @@
 /**
- * A live face in a page: it connects to `risorius serve`, plays the sound, and tells what the face does now.
+ * A live face in a page: it connects to `risorius serve`, plays the sound and returns the face's current frame.
  *
- * The sound is the clock: `frame()` is the frame whose sound is heard at this moment. The protocol is
+ * The sound is the clock: `frame()` returns the frame whose sound is playing now. The protocol is
  * described in docs/serve.md of Risorius. No dependencies.
  *
  * @example
  * const face = new LiveFace("ws://127.0.0.1:8766/live", { settings: { head: "mei" } });
- * await face.start(); // after a click, so that the browser lets it sound
+ * await face.start(); // call it after a click: browsers play no sound before one
  * face.say("Hello there. ");
  * const show = driving(gltf.scene); // any object of three.js whose morph targets have ARKit's names
  * renderer.setAnimationLoop(() => { show(face.frame()); renderer.render(scene, camera); });
  */
 
-/** Seconds of sound that wait in the page, so that it does not break off. */
+/** Seconds of sound that the page buffers, so that playback does not stall. */
 const WAITING = 0.12;
-/** Share of its duration by which a silent frame may be held longer while too little waits. */
+/** Share of its duration by which a silent frame may be extended while the buffer is low. */
 const SLOWER = 0.1;
 const HEADER = 32;
 
@@ -251,7 +251,7 @@ export class LiveFace extends EventTarget {
 /**
  * Return a function that shows a frame on an object of three.js (or null, which shows nothing).
  *
- * Morph targets are found by ARKit's names, or those of the output `rig`, in whatever case; the head and the
+ * Morph targets are matched by ARKit's names or those of the output `rig`, ignoring case; the head and the
  * eyes by the names of their nodes or bones.
  *
  * @param {any} root an Object3D

@@ -1,4 +1,4 @@
-/** Dials: a face held by hand, by muscle, action unit or emotion, one side or both; to be kept under a name. */
+/** Dials: set a face by muscle, action unit or emotion, on one side or both, and save it under a name. */
 
 import { button, check, slider } from "../parts/fields.js";
 import { fill, make, showFound, spoken } from "../parts/dom.js";

@@ -1,4 +1,4 @@
-/** The emotions of a line: over all of it, or over a stretch of the text. */
+/** The emotions of a line, over all of it or over part of the text. */
 
 import { button, choice, slider } from "../parts/fields.js";
 import { fill, make, settled } from "../parts/dom.js";

@@ -1,4 +1,4 @@
-/** Rules: which fired and where, each to be switched off; and the profile's numbers. */
+/** Rules: list those that fired and their places, switch each on or off; and the profile's numbers. */
 
 import { button } from "../parts/fields.js";
 import { fill, make, showFound, spoken } from "../parts/dom.js";
@@ -135,7 +135,7 @@ class Rules {
   }
 }
 
-/** A row of buttons; of many the first, and one that shows the others. @param {HTMLElement[]} places */
+/** Return a row of buttons: the first few, and one that shows the others. @param {HTMLElement[]} places */
 function folded(places) {
   const row = make("div", { class: "row tight" }, ...places.slice(0, PLACES));
   const rest = places.slice(PLACES);

@@ -1,4 +1,4 @@
-/** The line that is said, with the stretches that have an emotion marked in it. */
+/** The text of the line, with the parts that have an emotion marked. */
 
 import { characterAt, movedSpans, unitAt } from "../parts/text.js";
 import { fill, make } from "../parts/dom.js";

@@ -67,7 +67,7 @@ export function mountSessions(studio) {
     });
     const remove = button("Delete", {
       disabled: entry.open,
-      title: entry.open ? "It is open in a tab" : null,
+      title: entry.open ? "Open in a tab" : null,
       "aria-label": `Delete the session “${called}”`,
       onclick: () => drop(session, called),
     });
@@ -82,7 +82,7 @@ export function mountSessions(studio) {
     leave();
     show();
     const back = async () => (await act(session, "put-back")) && show();
-    notify(`“${called}” is deleted.`, { label: "Put back", act: back });
+    notify(`Deleted “${called}”.`, { label: "Restore", act: back });
   }
 
   /** The list is shown anew where nothing in it is used. */

@@ -1,16 +1,16 @@
 /**
  * Time of the performance: the sound's own while it plays, so that picture and sound cannot drift apart.
  *
- * The time that an audio element tells is that of what is heard: browsers take off what the sound's output tells them of
- * its latency (docs/studio.md says where). `AudioContext.outputLatency` is for Web Audio's clock; taken off here, it
- * would count twice. Headphones that tell less than they take are made up for by `delay`.
+ * An audio element's time is that of the sound being heard: browsers subtract the latency that the output reports
+ * (docs/studio.md lists the sources). `AudioContext.outputLatency` is for Web Audio's clock; subtracted here, it
+ * would count twice. `delay` compensates for headphones that report less than their real latency.
  *
- * Without a sound, and beyond its end, the page's time runs instead. `on("tick", call)` hears the time on
+ * Without a sound, and beyond its end, the page's time runs instead. `on("tick", call)` reports the time on
  * every animation frame on which it may have changed, `on("state", call)` changes of playing, speed and loop.
  */
 
 const JUMP = 0.08; // s by which the sound may differ from the time shown before that jumps to it
-const LONGEST = 1500; // ms for which sound and face are waited for before time runs without them
+const LONGEST = 1500; // ms to wait for sound and face before time runs without them
 const LATEST = 1; // s by which sound may be late
 const KEY = "risorius-sound-delay";
 const PULL = 0.15; // s within which a smaller difference is made up for, but for a third

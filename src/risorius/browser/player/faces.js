@@ -1,4 +1,4 @@
-/** The faces of the performance: chunks about the playhead are inflated, the others rest. */
+/** The faces of the performance: chunks near the playhead are inflated, the others stay packed. */
 
 import { inflated } from "./data.js";
 /** @import {PlayedFacts} from "../types.js" */

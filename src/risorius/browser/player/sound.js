@@ -1,6 +1,6 @@
 /**
- * A browser sets its sound up when something is heard for the first time, which takes long: nothing is played as soon
- * as the page is touched, so that the first line need not wait for it.
+ * Browsers set up their sound output at the first playback, which takes long: silence is played as soon
+ * as the page is touched, so that the first line does not wait.
  */
 
 const RATE = 8000;

@@ -1,9 +1,9 @@
-/** From where the head is looked at: named views, and turning and zooming by mouse, touch and keys. */
+/** The camera: named views, turning and zooming by mouse, touch and keys. */
 
 import * as THREE from "../vendor/three/three.module.min.js";
 /** @import {CameraState} from "../types.js" */
 
-// Centre in metres in the head's frame, height of what is seen in metres, turn and tilt in degrees.
+// Centre in metres in the head's frame, visible height in metres, turn and tilt in degrees.
 /** @type {Record<string, {label: string} & CameraState>} */
 export const VIEWS = {
   front: { label: "Front", centre: [0, 0.0, 0.03], height: 0.31, turn: 0, tilt: 0 },

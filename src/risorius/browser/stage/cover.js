@@ -1,4 +1,4 @@
-/** What stands before the hair, head and other hair: strands at the back need not be drawn, as the library leaves them out. */
+/** Occlusion of hair by the head and other hair: hidden strands at the back are not drawn, as in the library. */
 
 import * as THREE from "../vendor/three/three.module.min.js";
 

@@ -1,8 +1,8 @@
 /**
- * A head in the scene: its meshes, and how a face of the server moves them.
+ * A head in the scene: its meshes, moved by the faces that the server sends.
  *
  * Lengths are mm in the head's frame as in the server's messages; the figure's group is scaled to metres.
- * The skin stays with the body by the share that the neck keeps, all else turns with the head.
+ * The skin stays with the body by the share that belongs to the neck; all else turns with the head.
  */
 
 import * as THREE from "../vendor/three/three.module.min.js";
@@ -321,7 +321,7 @@ function pointsOf(mesh) {
 }
 
 /**
- * The skin's points that turn with the head, about its pivot.
+ * Return the skin's points that turn with the head, about its pivot.
  * @param {Float32Array} points @param {Float32Array} shares by which they turn @param {THREE.Vector3} pivot
  */
 function turningPoints(points, shares, { x, y, z }) {
@@ -332,7 +332,7 @@ function turningPoints(points, shares, { x, y, z }) {
   return Float32Array.from(turning);
 }
 
-/** What changes of meshes with their points. @type {Record<string, string[]>} */
+/** The attributes of meshes that change with their points. @type {Record<string, string[]>} */
 const MOVING = { skin: ["position", "gained"], ...Object.fromEntries(HAIRS.map((name) => [name, ["position", "along"]])) };
 const [SIGHT, INVERSE] = [new THREE.Vector3(), new THREE.Matrix4()];
 const TARGET = new THREE.Quaternion();

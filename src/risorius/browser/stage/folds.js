@@ -1,4 +1,4 @@
-/** Where the fine wrinkles of a head lie, and how high they are in a face (`head_folds.py`). */
+/** The places of a head's fine wrinkles, and their heights in a face (`head_folds.py`). */
 
 import * as THREE from "../vendor/three/three.module.min.js";
 

@@ -1,6 +1,6 @@
 /**
  * Reads the binary glTF that the server writes of a head: meshes by name, each with its attributes as typed
- * arrays, and the nodes. Only what that file holds is understood: no sparse accessors, no interleaving.
+ * arrays, and the nodes. It reads only what that file contains: no sparse accessors, no interleaving.
  */
 
 /** @import {Attribute, FileMesh, HeadFile, Numbers} from "../types.js" */

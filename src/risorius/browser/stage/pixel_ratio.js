@@ -1,4 +1,4 @@
-/** How many pixels are drawn: fewer while pictures come too slowly, all of them when nothing moves. */
+/** The number of pixels drawn: fewer while drawing is too slow, all when nothing moves. */
 
 const SLOW = 1000 / 24; // ms between pictures
 const FAST = 1000 / 50;

@@ -1,4 +1,4 @@
-/** The key lamp's shadow map: the skin as that lamp sees it, drawn anew when the face has moved (`render/shadow.py`). */
+/** The key lamp's shadow map: the skin as that lamp sees it, redrawn when the face has moved (`render/shadow.py`). */
 
 import * as THREE from "../vendor/three/three.module.min.js";
 /** @import {StageShadow} from "../wire.js" */

@@ -1,4 +1,4 @@
-/** The stage: draws one head, or two side by side, when there is something new to see. */
+/** The stage: draws one head, or two side by side, whenever something has changed. */
 
 import * as THREE from "../vendor/three/three.module.min.js";
 import { Backdrop } from "./backdrop.js";

@@ -11,7 +11,7 @@ const HINTS = [
     "A block is a movement of the face. Click one to see why it is there; drag it to move it, its corners to stretch it.",
   ],
   ["#panel [role=tablist]", "Dials move single muscles, the head, the eyes, or a whole emotion; the face follows at once."],
-  ["#explanation", "Why? names the rule behind a movement, what wins at that moment, and what gives way to it."],
+  ["#explanation", "Why? names the rule behind a movement, the movement that wins at that moment, and those that yield to it."],
 ];
 
 /** A button on the empty stage. @param {HTMLElement} stage @param {import("./studio.js").Studio} studio */

@@ -55,7 +55,7 @@ async function open(studio) {
     keepDraft(studio);
     showView(studio, state.view);
   } else if (take?.take !== before?.take && isDraft(store)) {
-    notify("Another page has changed this session. What you have written is kept.");
+    notify("Another page changed this session. Your draft is kept.");
   }
   for (const line of state.notes) notify(line);
 }

@@ -104,7 +104,7 @@ export class Adder {
     const { kind, name, amount, channel: lane, start, length, onset, offset } = this.#fields;
     return h("form", { class: "tl-add", method: "dialog", onsubmit: (/** @type {SubmitEvent} */ event) => this.#submit(event, catalogue) },
       h("h2", { id: "tl-add-title" }, "Add a movement"),
-      field("Kind", kind), field("What", name), field("How far", amount), field("Channel", lane),
+      field("Kind", kind), field("Target", name), field("Amount", amount), field("Channel", lane),
       h("div", { class: "tl-times" },
         timed("Start, s", start), timed("Length, s", length), timed("Onset, s", onset), timed("Offset, s", offset)),
       h("div", { class: "row" },

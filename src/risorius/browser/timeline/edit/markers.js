@@ -112,7 +112,7 @@ export class MarkerList {
 
   #show() {
     const { markers } = this.#controller.scene.model;
-    const none = h("p", { class: "hint" }, "None yet. M sets one at the playhead.");
+    const none = h("p", { class: "hint" }, "No markers yet. Press M to set one at the playhead.");
     this.#rows.replaceChildren(...(markers.length ? markers.map((marker, k) => this.#row(marker, k)) : [none]));
   }
 

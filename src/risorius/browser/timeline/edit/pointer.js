@@ -28,9 +28,9 @@ const WHEEL = 0.0022; // zoom by a wheel's pixel
 const LINE = 16; // pixels of a wheel that reports lines
 /** @type {Record<string, string>} */
 const TITLES = {
-  edge: "Drag to correct where it begins; a double click puts it back",
-  grip: "Drag to stretch all that is selected",
-  marker: "Drag to move the marker; a double click lists all markers and their notes",
+  edge: "Drag to move this boundary; double-click to reset it",
+  grip: "Drag to stretch the selection",
+  marker: "Drag to move the marker; double-click to list all markers",
 };
 const STILL = 3; // pixels: less is a click
 

@@ -9,8 +9,8 @@ import { foundIn, h, spoken } from "../dom.js";
 
 /** @type {LaneState[]} */
 const STATES = [
-  { state: "muted", sign: "M", verb: "Mute", title: "its movements stay, and move nothing" },
-  { state: "solo", sign: "S", verb: "Solo", title: "only it and other solo lanes move the face" },
+  { state: "muted", sign: "M", verb: "Mute", title: "its movements stay but have no effect" },
+  { state: "solo", sign: "S", verb: "Solo", title: "only solo lanes move the face" },
   { state: "locked", sign: () => glyph("lock"), verb: "Lock", title: "its movements cannot be changed" },
 ];
 /** @type {Sides[]} */

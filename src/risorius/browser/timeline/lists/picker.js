@@ -47,7 +47,7 @@ export class Picker {
     const wanted = this.#search.value.trim().toLowerCase();
     const bases = [...model.bases.values()].filter(({ base, names }) => this.#text(base, names[0]).includes(wanted));
     this.#found.replaceChildren(...bases.map((entry) => this.#line(entry)));
-    if (bases.length === 0) this.#found.append(h("p", { class: "hint" }, "Nothing has that name."));
+    if (bases.length === 0) this.#found.append(h("p", { class: "hint" }, "No muscle matches."));
   }
 
   /** All that a muscle may be searched by. @param {string} base @param {string} name */

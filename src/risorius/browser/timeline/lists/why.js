@@ -88,9 +88,9 @@ export class Why {
       ? h("p", {}, `It ${link ? "brings" : "keeps"} ${block.channel} ${link ? "back to" : "at"} rest`, ...(link ? [", after ", link] : []), ".")
       : h("p", {}, "At this time it has no visible effect.");
     const { silent } = this.#controller.scene.model;
-    if (silent.has(block.channel)) return [h("p", {}, `It moves nothing: the lane ${block.channel} is muted.`)];
+    if (silent.has(block.channel)) return [h("p", {}, `It has no effect: the lane ${block.channel} is muted.`)];
     const others = this.#instead.map((one) => this.#reason(one));
-    return others.length ? [why, h("p", { class: "hint" }, "What moves this at that time:"), ...others] : [why];
+    return others.length ? [why, h("p", { class: "hint" }, "Movements that act on the same muscles at that time:"), ...others] : [why];
   }
 
   /** The movement before one in its lane that moved something, or null. @param {Block} block */
@@ -107,7 +107,7 @@ export class Why {
   #head(block) {
     const title = h("h2", {}, block.label || "silence");
     const lane = h("p", { class: "tl-part", style: colourOf(block.channel) }, `${block.channel}, priority ${block.priority}`);
-    const cause = h("p", {}, block.cause ? `Because of ${block.cause}` : "No cause is known.");
+    const cause = h("p", {}, block.cause ? `Because of ${block.cause}` : "The cause is unknown.");
     return [title, lane, cause];
   }
 
