@@ -3,7 +3,7 @@
  * edge from root to tip. A machine without a graphics card draws fewer and straighter ones in motion.
  *
  * Ribbons are blended with soft edges over the background (`hair.js`), so the far ones
- * come first.
+ * are drawn first.
  */
 
 import * as THREE from "../vendor/three/three.module.min.js";
@@ -164,7 +164,7 @@ export class Order {
 }
 
 /**
- * Return the number of strands and of pairs in each: a new strand begins when a triangle shares no vertex with the last.
+ * Return the number of strands and of pairs in each: the second begins at the first triangle that shares no vertex with those before.
  * @param {Uint32Array} index
  */
 function strandsOf(index) {

@@ -5,10 +5,10 @@ import { Work } from "./work.js";
 /** @import {Written} from "../types.js" */
 
 /**
- * What the user can have done, by name: each asks the server, and puts its answer into the store.
+ * The user's actions: each sends a request to the server and puts the answer into the store.
  *
- * Whatever changes the take goes through here, so that all parts of the page see one take.
- * An action that is refused says so in the page's notice, and resolves to null.
+ * Every change of the take goes through here, so that all parts of the page see the same take.
+ * If the server refuses an action, the page's notice says so, and the action resolves to null.
  */
 export class Actions {
   #store;

@@ -2,7 +2,7 @@
  * The socket to the server: requests with replies, pushed events, binary messages; it reconnects by itself.
  *
  * `request("undo", {})` resolves to the reply's `ok`, rejects with `Refusal` (the server's one line) or
- * `Disconnected`. Events of the server and "up", "down" are heard with `on(name, call)`, binary messages
+ * `Disconnected`. `on(name, call)` listens for the server's events and for "up" and "down", binary messages
  * (ArrayBuffer) with `on("binary", call)`.
  */
 
@@ -125,7 +125,7 @@ export class Connection {
 }
 
 /**
- * What is null is left out: that is what the wire's fields are where nothing is said.
+ * Null fields are left out: null is the default of the wire's fields.
  * @param {string} key @param {unknown} value
  */
 function withoutNulls(key, value) {

@@ -28,7 +28,7 @@ export function listenToDrops(studio) {
   });
 }
 
-/** Open a project's file in place of what the session has. @param {import("./studio.js").Studio} studio @param {File} file */
+/** Open a project file; it replaces the session's project. @param {import("./studio.js").Studio} studio @param {File} file */
 export async function openProject({ store, connection, notify, actions }, file) {
   const limit = store.get("catalogue")?.limits.project ?? Infinity;
   if (file.size > limit) {

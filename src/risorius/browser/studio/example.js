@@ -1,4 +1,4 @@
-/** The first minute: an example that plays on a click, then three hints on what is seen. */
+/** The first minute: an example that plays on a click, then three hints on the parts of the page. */
 
 import { button } from "../parts/fields.js";
 import { make } from "../parts/dom.js";
@@ -14,7 +14,7 @@ const HINTS = [
   ["#explanation", "Why? names the rule behind a movement, the movement that wins at that moment, and those that yield to it."],
 ];
 
-/** A button on the empty stage. @param {HTMLElement} stage @param {import("./studio.js").Studio} studio */
+/** Show a button on the empty stage. @param {HTMLElement} stage @param {import("./studio.js").Studio} studio */
 export function mountExample(stage, studio) {
   const { store } = studio;
   const play = button("Play an example", { id: "example", class: "primary", onclick: begin });
@@ -74,7 +74,7 @@ export function showHints() {
   }
 }
 
-/** Beside what it is about, within the window. @param {HTMLElement} card @param {DOMRect} box */
+/** Place a card beside the part that it describes, within the window. @param {HTMLElement} card @param {DOMRect} box */
 function place(card, { left, top, bottom }) {
   const { offsetWidth: width, offsetHeight: height } = card;
   const above = top - height - 8;

@@ -1,5 +1,5 @@
 /**
- * Who is on stage: the take's head, beside it that of a comparison, or one that the dials hold. Each head has a
+ * The heads on stage: the take's, with that of a comparison beside it, or the dialled one. Each head has a
  * player that follows the clock.
  */
 

@@ -1,4 +1,4 @@
-/** The page's head: what state it is in, undo and redo, theme, help. */
+/** The page's header: state, undo and redo, theme, help. */
 
 import { button } from "../parts/fields.js";
 import { fill, make } from "../parts/dom.js";

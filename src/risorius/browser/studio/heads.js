@@ -1,4 +1,4 @@
-/** Figures of heads, fetched when they are needed and kept while they may be needed again. */
+/** Figures of heads, fetched on demand and cached. */
 
 import { buildFigure } from "../stage/figure.js";
 /** @import {Choices} from "../wire.js" */

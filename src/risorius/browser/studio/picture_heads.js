@@ -1,6 +1,6 @@
 /**
- * The heads on stage as the server draws them, where no graphics card does: the take's, beside it that of a comparison, or
- * one that dials hold. A picture is asked for when the one before is there.
+ * The heads on stage without a graphics card, drawn by the server: the take's, with that of a comparison beside it, or
+ * the dialled one. Each picture is requested when the previous one has arrived.
  */
 
 import { contextOf, told } from "../parts/dom.js";
@@ -113,7 +113,7 @@ export class PictureHeads {
 }
 
 /**
- * The values of the face that is the user's own: of dials, of a change that is tried, or of the take.
+ * Return the values of the user's face: of the dials, of an edit being previewed, or of the take.
  * @param {Store} store @param {import("../player/clock.js").Clock} clock
  */
 function ownValues(store, clock) {
@@ -123,9 +123,9 @@ function ownValues(store, clock) {
 }
 
 /**
- * The values of all parameters at a time of a take; of a face at rest without one.
+ * Return the values of all parameters at a time of a take, or of a face at rest without a take.
  * @param {Store} store @param {Take | null} take @param {number} time
- * @param {Map<string, Float32Array | null> | null} [tried] curves instead of the take's own; null where one is at rest
+ * @param {Map<string, Float32Array | null> | null} [tried] curves that replace the take's; null for a parameter at rest
  */
 function valuesAt(store, take, time, tried = null) {
   const frame = take ? Math.floor(Math.min(time * take.rate + 1e-6, take.frames - 1)) : 0;

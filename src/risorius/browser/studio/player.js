@@ -1,6 +1,6 @@
 /**
- * Shows the face of the clock's time on a figure: keeps a window of faces around the playhead, asks the server
- * for those that are missing, and drops those far away, so that memory does not grow with the length.
+ * Shows the face at the clock's time on a figure: keeps a window of faces around the playhead, asks the server
+ * for missing ones, and drops distant ones, so that memory does not grow with the length.
  */
 
 import { KINDS } from "../stage/faces.js";

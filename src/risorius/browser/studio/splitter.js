@@ -1,4 +1,4 @@
-/** The bar between stage and timeline: it moves by pointer and by arrow keys, and stays where it was left. */
+/** The bar between stage and timeline: it moves by pointer and arrow keys, and its place is remembered. */
 
 import { there } from "../parts/dom.js";
 

@@ -1,4 +1,4 @@
-/** Playing: play and pause, steps, place, speed, loop. */
+/** Playback controls: play and pause, steps, position, speed, loop. */
 
 import { glyph } from "../parts/glyphs.js";
 import { canPlay, playOrPause } from "./playing.js";
@@ -73,7 +73,7 @@ export function mountTransport(element, studio) {
   }
 }
 
-/** Repeat everything, or stop repeating. @param {Clock} clock */
+/** Turn looping of the whole take on or off. @param {Clock} clock */
 export function toggleLoop(clock) {
   clock.setLoop(clock.loop ? null : [0, clock.duration]);
 }

@@ -1,7 +1,7 @@
 /**
- * What may take long: what is being done is shown, how far it is, and it can be stopped.
+ * Long work: its name and progress are shown, and it can be stopped.
  *
- * Several may be under way; the one that began last is shown (`busy` of the store), and is stopped first.
+ * Several tasks may run; the last to start is shown (`busy` in the store), and is stopped first.
  */
 
 export class Work {

@@ -16,12 +16,12 @@ const PATIENCE = 350; // ms without a key after which what was done by keys is s
  * @property {import("../studio/actions.js").Actions} actions
  * @property {import("../studio/store.js").Store} store
  * @property {HTMLElement} scroller
- * @property {() => void} repaint draws anew with the page's next frame
- * @property {() => void} arrange lays out anew
+ * @property {() => void} repaint redraws with the page's next frame
+ * @property {() => void} arrange updates the layout
  */
 
 /**
- * What can be done on the timeline, by pointer, keys or buttons alike.
+ * The timeline's actions, shared by pointer, keys and buttons.
  */
 export class TimelineController {
   snaps = true;

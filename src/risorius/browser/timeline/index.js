@@ -18,15 +18,15 @@ export { TIMELINE_KEYS } from "./shortcuts.js";
 /**
  * Show the timeline of a take.
  *
- * @param {HTMLElement} element where it is shown; it fills the element, and scrolls within it
- * @param {import("../studio/studio.js").Studio & {explanation: HTMLElement}} studio and where explanations are shown
+ * @param {HTMLElement} element parent, which the timeline fills and scrolls within
+ * @param {import("../studio/studio.js").Studio & {explanation: HTMLElement}} studio and element for explanations
  * @returns {Timeline} also the element's `timeline`
  */
 export function mountTimeline(element, studio) {
   return Object.assign(element, { timeline: new Timeline(element, studio) }).timeline;
 }
 
-/** Whether two takes are of the same line, so that what is in sight may stay. @param {Take} one @param {Take} other */
+/** Whether two takes are of the same line; then scroll and zoom stay. @param {Take} one @param {Take} other */
 function sameLine(one, other) {
   return one.duration === other.duration && one.speech?.text === other.speech?.text;
 }

@@ -1,5 +1,5 @@
 /**
- * Keys of the timeline that need no block in focus; they reach only what the timeline itself does not use.
+ * Keys of the timeline that need no focused block; they are handled only if the timeline itself does not use them.
  */
 
 import { foundIn } from "./dom.js";
@@ -7,7 +7,7 @@ import { nudgeEdge } from "./edit/edges.js";
 
 const ZOOM = 1.4;
 
-/** What the page's list of keys says of the timeline. */
+/** The timeline's entries in the page's list of keys. */
 export const TIMELINE_KEYS = [
   { keys: "Ctrl wheel, + −", does: "Timeline: zoom" },
   { keys: "N", does: "Timeline: add a movement at the playhead" },

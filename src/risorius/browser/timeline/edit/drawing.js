@@ -5,7 +5,7 @@ import { scaleOf } from "../paint/paint_graphs.js";
 /** @import {TimelineController} from "../controller.js" */
 
 /**
- * What a pointer does on graphs: keys are dragged and drawn. Gestures as in `gestures.js`.
+ * Pointer gestures on graphs (as in `gestures.js`): dragging and drawing keys.
  */
 
 const FINE = 0.012; // share of a graph's height that a line drawn freely may be simplified by
@@ -57,7 +57,7 @@ export class DragKey {
   }
 }
 
-/** Drag a handle of a key; with Alt it is bent apart from the one across. */
+/** Drag a handle of a key; with Alt the opposite handle stays. */
 export class DragTangent {
   #controller;
   #row;
@@ -100,7 +100,7 @@ export class DragTangent {
   }
 }
 
-/** Draw a curve freely; without moving, set one key. */
+/** Draw a freehand curve; a click sets one key. */
 export class DrawKeys {
   #controller;
   #row;

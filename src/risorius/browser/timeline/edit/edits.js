@@ -5,7 +5,7 @@ import { editOf, timesOf } from "../model/times.js";
 /** @import {Block, Edit, Key, Times} from "../../types.js" */
 
 /**
- * Changes that the user is making: shown at once, sent to the server, and forgotten when the answer is here.
+ * Edits in progress: shown at once, sent to the server, and dropped when the answer arrives.
  */
 export class Edits {
   /** @type {Map<string, Times | null>} */
@@ -163,7 +163,7 @@ export class Edits {
 }
 
 /**
- * The wire's edit that puts a block to other times; null where they are its own.
+ * Return the wire's edit that changes a block's times; null if they are unchanged.
  * @param {Block} block @param {Times} times @returns {Edit | null}
  */
 function blockEdit(block, times) {

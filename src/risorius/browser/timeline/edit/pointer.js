@@ -37,7 +37,7 @@ const STILL = 3; // pixels: less is a click
 /**
  * @param {HTMLCanvasElement} canvas @param {import("../controller.js").TimelineController} controller
  * @param {PointerParts} parts
- *   `walk` gives the keys to the list of blocks, at the one that is selected; `note` has a marker's note typed
+ *   `walk` moves the focus to the selected block in the list; `note` opens the editor of a marker's note
  */
 export function listen(canvas, controller, parts) {
   const { walk } = parts;
@@ -124,7 +124,7 @@ function begun(controller, found, x, y, event) {
 
 /**
  * @param {TimelineController} controller @param {{block: Block, time: number}} found @param {number} x
- * @param {boolean} more whether it is selected besides those that are @returns {Gesture | null}
+ * @param {boolean} more whether it is added to the selection @returns {Gesture | null}
  */
 function begunOnBlock(controller, { block, time }, x, more) {
   if (more && block.free) {
@@ -180,7 +180,7 @@ function titleOf(controller, found, block) {
 }
 
 /**
- * The value under the pointer, and which channels are held back there.
+ * Return the value under the pointer, and the channels that are inhibited or limited there.
  * @param {TimelineController} controller @param {GraphRow} row @param {number} time
  */
 function valueOf({ scene: { model, details } }, row, time) {

@@ -1,8 +1,8 @@
 import { curvesOf } from "../../player/take.js";
 
 /**
- * The curves, and the face where the playhead stands, as they would be with the changes that are being made by hand:
- * one question at a time, the newest when the answer is there.
+ * Preview of edits in progress: the curves and the face at the playhead as they would be with these edits;
+ * one request at a time, then the newest state.
  */
 export class Preview {
   #actions;
@@ -16,7 +16,7 @@ export class Preview {
 
   /**
    * @param {import("../../studio/actions.js").Actions} actions @param {() => void} changed
-   * @param {() => number | null} standing where the playhead stands; null while it runs
+   * @param {() => number | null} standing time of the playhead; null while it runs
    */
   constructor(actions, changed, standing) {
     this.#actions = actions;

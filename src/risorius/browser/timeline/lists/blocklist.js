@@ -5,9 +5,9 @@ import { timesOf } from "../model/times.js";
 /** @import {Model} from "../model/model.js" */
 
 /**
- * The blocks as a list for the keyboard and for screen readers: one option has the focus, those near it are there.
+ * The blocks as a list for the keyboard and for screen readers: one option has the focus, and only options near it exist.
  *
- * The list is not seen; the canvas draws a strong frame round the block whose option has the focus.
+ * The list is invisible; the canvas draws a strong frame around the block whose option has the focus.
  */
 
 const AROUND = 12; // options on either side of the one in focus
@@ -164,13 +164,13 @@ export class BlockList {
   }
 }
 
-/** When a block acts, in a few words. @param {Block} block @param {TimelineController} controller */
+/** Return a block's times in a few words. @param {Block} block @param {TimelineController} controller */
 function timesTold(block, controller) {
   const [start, rise, fall, end] = timesOf(controller.edits.shown(block) ?? block).map((time) => time.toFixed(2));
   return `${start} to ${end}, apex ${rise} to ${fall}`;
 }
 
-/** A block in a sentence. @param {Block} block @param {TimelineController} controller */
+/** Describe a block in a sentence. @param {Block} block @param {TimelineController} controller */
 export function described(block, controller) {
   const shown = controller.edits.shown(block) ?? block;
   const targets = Object.entries(shown.targets).slice(0, 4);

@@ -4,7 +4,7 @@ import { withKey, withMoved } from "../model/keys.js";
 /** @import {Key} from "../../types.js" */
 
 /**
- * The keys drawn by hand on a parameter, as a table of numbers: what the mouse does on a graph, without one.
+ * The keys drawn by hand on a parameter, as a table of numbers: an alternative to the mouse.
  */
 
 const MOST = 60; // rows; more are edited on the graph

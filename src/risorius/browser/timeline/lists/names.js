@@ -4,7 +4,7 @@ import { foundIn, h, spoken } from "../dom.js";
 /** @typedef {{state: "muted" | "solo" | "locked", sign: string | (() => Node), verb: string, title: string}} LaneState */
 
 /**
- * The names of lanes and graphs, to the left of them; a graph can be explained, asked for one side, and put away.
+ * The names of lanes and graphs, to the left of them; a graph can be explained, limited to one side, and removed.
  */
 
 /** @type {LaneState[]} */

@@ -2,7 +2,7 @@ import { h, spoken } from "../dom.js";
 /** @import {Base} from "../../types.js" */
 
 /**
- * Which muscles' graphs to show: a list to search in, with those that move marked.
+ * Choose the muscles whose graphs are shown: a searchable list that marks the ones that move.
  */
 export class Picker {
   #graphs;

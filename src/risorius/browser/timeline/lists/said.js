@@ -5,8 +5,8 @@ import { textOf } from "../paint/paint_head.js";
 const KINDS = ["words", "phones"];
 
 /**
- * Marks the word and the phone that are said now. They lie over the canvas, which is not drawn anew for them:
- * by software that takes longer than the face.
+ * Marks the current word and phone, in elements over the canvas, so that the canvas is not redrawn for them:
+ * without a graphics card, that takes longer than drawing the face.
  */
 export class Said {
   #marks = Object.fromEntries(KINDS.map((kind) => [kind, h("div", { class: "tl-said", hidden: "" })]));

@@ -4,7 +4,7 @@ import { h, spoken } from "../dom.js";
 /** @typedef {{title: string, names: string[], value: number}} Target of one side, or of both */
 
 /**
- * How far a movement goes in each parameter, as numbers to change; two sides that agree are one number.
+ * The targets of a movement as editable numbers; two equal sides share one number.
  */
 export class Targets {
   #controller;

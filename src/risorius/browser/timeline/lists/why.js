@@ -7,7 +7,7 @@ import { timesOf } from "../model/times.js";
 /** @import {ContributionView, Reason} from "../../wire.js" */
 
 /**
- * What is selected, in words: a movement and its cause, a parameter's value with its winner and losers.
+ * Explains the selection in words: a movement and its cause, a parameter's value with its winner and losers.
  */
 
 const TIMES = ["Start", "Apex from", "Apex to", "End"];
@@ -93,7 +93,7 @@ export class Why {
     return others.length ? [why, h("p", { class: "hint" }, "Movements that act on the same muscles at that time:"), ...others] : [why];
   }
 
-  /** The movement before one in its lane that moved something, or null. @param {Block} block */
+  /** Return the previous movement in its lane that has a target, or null. @param {Block} block */
   #before({ channel, start }) {
     const { model } = this.#controller.scene;
     /** @param {{targets: Record<string, number>}} block */
@@ -173,12 +173,12 @@ function colourOf(channel) {
   return { "--colour": `var(--tl-channel-${channel})` };
 }
 
-/** A sentence with the names of parameters as people read them. @param {string} sentence @param {Parameters} parameters */
+/** Return a sentence with readable names of parameters. @param {string} sentence @param {Parameters} parameters */
 function readable(sentence, parameters) {
   return sentence.replace(/[a-z]+(?:_[a-z]+)*(?:\.(?:left|right))?/g, (name) => (parameters.has(name) ? spoken(name) : name));
 }
 
-/** Whether a block has a part in what a parameter does. @param {Reason} reason @param {Block | null} block */
+/** Whether a block affects a parameter. @param {Reason} reason @param {Block | null} block */
 function concerns({ winner, losers }, block) {
   return block !== null && [winner, ...losers].some((part) => part?.movement === block.id);
 }
@@ -189,7 +189,7 @@ function aims({ targets }, { parameter }) {
 }
 
 /**
- * Reasons with those of the two sides made one where they are the same.
+ * Merge the reasons of the two sides that are the same.
  * @param {Reason[]} reasons @returns {NamedReason[]}
  */
 function together(reasons) {

@@ -3,7 +3,7 @@ import { floatsOf } from "../../player/take.js";
 /** @import {ChannelCurve} from "../../wire.js" */
 
 /**
- * What each channel asks of a parameter and gets: fetched when a graph shows it, kept for the take.
+ * The value that each channel requests of a parameter and the one it gets: fetched for shown graphs, cached per take.
  */
 export class Details {
   /** @type {Map<string, {take: number, detail: Detail}>} */

@@ -1,5 +1,5 @@
 /**
- * Which muscles' graphs are shown, and which sides of them: those that move most until the user chooses.
+ * The muscles (and sides) whose graphs are shown: those that move most, until the user chooses.
  */
 
 /** @import {Sides} from "../../types.js" */

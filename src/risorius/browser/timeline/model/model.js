@@ -8,9 +8,9 @@ import { Spans, stacked } from "./spans.js";
 const ALIKE = 1e-4; // what cannot be told apart in a graph
 
 /**
- * A take as the timeline looks at it: a lane for each channel, an order of its blocks, curves to draw.
+ * A take prepared for the timeline: a lane for each channel, its blocks in order, curves to draw.
  *
- * Built anew for each take; what has not changed (curves, speech) is taken over from the model before.
+ * Rebuilt for each take; unchanged parts (curves, speech) are reused from the previous model.
  */
 export class Model {
   /** @type {WeakMap<Float32Array, Pyramid>} */
@@ -139,7 +139,7 @@ export class Model {
 }
 
 /**
- * Channels that move nothing: those that are muted, or all but those that are solo.
+ * Return the channels without effect: the muted ones, or all except the solo ones.
  * @param {Required<LaneStates>} states @param {ChannelRow[]} channels
  */
 function silentOf({ muted, solo }, channels) {
@@ -181,12 +181,12 @@ function speechOf(speech) {
 
 const QUIET = 12; // of 127: what is quieter is not shown louder
 
-/** The greatest peak of a sound: the outline of a quiet recording is as high as any. @param {ArrayLike<number>} peaks */
+/** Return the greatest peak of a sound, by which its outline is normalized. @param {ArrayLike<number>} peaks */
 function loudestOf(peaks) {
   return Array.from(peaks).reduce((most, peak) => Math.max(most, Math.abs(peak)), QUIET);
 }
 
-/** Times that an edit snaps to: where phones begin and end, markers, and the take's own ends. @param {Take} take */
+/** Return the times that edits snap to: phone boundaries, markers, and the take's ends. @param {Take} take */
 function edgesOf({ speech, duration, markers }) {
   const phones = speech?.phones ?? [];
   const marked = markers.map(({ time }) => time);

@@ -1,5 +1,5 @@
 /**
- * What lies where from top to bottom, in pixels: the head (ruler, sound, words, phones) that stays in sight,
+ * The layout from top to bottom, in pixels: the head (ruler, sound, words, phones), which stays in view,
  * then lanes and graphs, which scroll.
  */
 
@@ -31,8 +31,8 @@ export function headRows(model) {
 
 /**
  * @param {import("./model.js").Model} model
- * @param {{base: string, names: string[]}[]} graphs what is drawn beneath the lanes
- * @param {Set<string>} folded channels whose lanes lay all movements on one row
+ * @param {{base: string, names: string[]}[]} graphs those beneath the lanes
+ * @param {Set<string>} folded channels whose lanes show all movements on one row
  * @returns {BodyRow[]}
  */
 export function bodyRows(model, graphs, folded) {

@@ -1,5 +1,5 @@
 /**
- * Which part of the take is shown, and how large: seconds to pixels and back.
+ * The visible part of the take and its scale: converts seconds to pixels and back.
  */
 
 const CLOSEST = 1200; // pixels a second at most: a frame of 30 fps is then 40 pixels wide

@@ -3,7 +3,7 @@ import { contextOf } from "../../parts/dom.js";
 import { h } from "../dom.js";
 
 /**
- * The whole take in one strip: its sound, and which part of it is in sight; dragging scrolls.
+ * The whole take in one strip, with its sound and the visible part; dragging scrolls.
  */
 
 const PART = 0.2; // share of what is in sight by which an arrow key scrolls

@@ -11,9 +11,9 @@ import { bodyRows, headRows, heightOf } from "../model/rows.js";
 const TEXT = 16; // size of the page's text for which the scene's pixels are the page's
 
 /**
- * All that a picture of the timeline is made of, and the picture.
+ * The state that a picture of the timeline is drawn from, and the drawing itself.
  *
- * Only what is in sight is drawn: `count` says how much that was the last time, whatever the take's length.
+ * Only visible parts are drawn: `count` is the number of parts drawn last.
  */
 export class Scene {
   /** @type {import("../model/model.js").Model} there as soon as a take is: nothing is drawn before */
