@@ -7,11 +7,11 @@
  * The draft in the store:
  * @typedef {Pick<import("./studio/store.js").Parts, "source" | "choices" | "emotions">} Written
  * @typedef {Required<import("./wire.js").EmotionSpan>} EmotionSpan
- * @typedef {{time: number | null, parameter: string | null, movement: string | null}} Selection what was pointed at
+ * @typedef {{time: number | null, parameter: string | null, movement: string | null}} Selection the selected part
  * @typedef {{values: Record<string, number>, emotions: Record<string, number>}} DialledFace as `Dial` of the wire
  *
  * Elements and their makers:
- * @typedef {Node | string | null | false} Child what an element may hold; null and false are left out
+ * @typedef {Node | string | null | false} Child content of an element; null and false are left out
  * @typedef {Record<string, any>} Attributes as `make` takes them
  * @typedef {HTMLElement & {show: (value: any) => void}} Control one that can be set from outside
  *
@@ -40,7 +40,7 @@
  * @typedef {"ground" | "head" | "rule" | "grid" | "text" | "faint" | "wave" | "word" | "pause" | "accent" | "tone"
  *   | "mark" | "loop" | "curve" | "other" | "inhibited" | "limited" | "key" | "label"} ColourName
  * @typedef {Record<ColourName, string> & {channels: Record<string, string>, font: string}} Palette
- * @typedef {Object} ChannelGraph what a channel asks of a parameter and is given, as numbers
+ * @typedef {Object} ChannelGraph the values that a channel requests of a parameter and receives
  * @property {string} channel
  * @property {Float32Array} asked
  * @property {Float32Array} given
@@ -68,7 +68,7 @@
  * @typedef {{move: (x: number, y: number, event: PointerEvent) => void, end: () => void, cancel: () => void}} Gesture
  *
  * The stage:
- * @typedef {(x: number, y: number, width: number, height: number) => void} Cut confines what is cleared
+ * @typedef {(x: number, y: number, width: number, height: number) => void} Cut limits the area to clear
  * @typedef {{order: number[], index: Uint32Array}} Few some of a mesh's vertices, and the triangles between these
  * @typedef {{eyes: number[][], edges: number[][], mouth: number[]}} Spots where the skin is fine, mm
  * @typedef {import("three").Mesh<import("three").BufferGeometry, import("three").Material>} Mesh

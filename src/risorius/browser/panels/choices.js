@@ -11,7 +11,7 @@ const WAIT = 250; // ms after the last movement of a slider
 
 // Settings whose values are codes; their names are shown, too.
 const CODED = ["language", "voice"];
-const OPEN = ["Voice", "Manner"]; // groups whose settings are seen at first
+const OPEN = ["Voice", "Manner"]; // groups that are open at first
 
 /** @type {Record<string, (setting: SettingRow, value: any, set: Set) => Control>} by the setting's `control` */
 const MAKERS = {

@@ -30,8 +30,8 @@ const WAIT = 250;
 export function mountCompare(element, studio) {
   const { store, actions } = studio;
   /** @type {Record<string, any>} */
-  let other = {}; // what the second take has other than the first
-  let asked = 0; // how often a comparison was asked for or ended: what comes late is not wanted any more
+  let other = {}; // the second take's settings that differ
+  let asked = 0; // number of comparisons started or ended: an answer to an earlier one is dropped
   const form = make("div", { class: "stack" });
   const note = make(
     "p",
@@ -86,7 +86,7 @@ export function mountCompare(element, studio) {
     else end.hidden = store.get("other") === null;
   }
 
-  /** Show one head, also if the second is still on its way. */
+  /** Show one head, even if the second has not arrived yet. */
   function finish() {
     asked += 1;
     if (comparing) actions.stop();

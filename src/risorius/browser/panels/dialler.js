@@ -12,7 +12,7 @@ export class Dialler {
   /** @type {Record<string, any> | null} a request of the wire */
   #waiting = null;
 
-  /** @param {import("../studio/studio.js").Studio} studio @param {(line: string) => void} said hears what could not be shown */
+  /** @param {import("../studio/studio.js").Studio} studio @param {(line: string) => void} said receives the reason if a face cannot be shown */
   constructor(studio, said) {
     this.#studio = studio;
     this.#said = said;

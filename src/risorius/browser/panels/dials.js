@@ -89,7 +89,7 @@ class Dials {
     this.#show();
   }
 
-  /** Hold another face. @param {DialledFace} face */
+  /** Set the dialled face. @param {DialledFace} face */
   #take(face) {
     this.#send(face);
     this.#show();
@@ -115,7 +115,7 @@ class Dials {
     return make("section", { class: "stack tight" }, heading, ...dials.map((dial) => this.#row(dial)));
   }
 
-  /** A dial with its name; a double click brings it to rest. @param {Dial} dial */
+  /** A dial with its name; a double click resets it. @param {Dial} dial */
   #row(dial) {
     /** @param {number} value */
     const input = (value) => this.#send(dial.set(this.#face, value));

@@ -54,7 +54,7 @@ class Exports {
     return box;
   }
 
-  /** What videos and pictures look like. @param {SettingRow[]} settings */
+  /** Return the settings of videos and pictures. @param {SettingRow[]} settings */
   #picture(settings) {
     const rows = settings.map((setting) => {
       const { element } = settingRow(setting, this.#look[setting.key], (value) => {

@@ -20,7 +20,7 @@ export function mountSessions(studio) {
     list,
   );
   let asked = 0;
-  let shown = ""; // rows are made anew only where they would be others: nothing goes from under the pointer
+  let shown = ""; // rows are rebuilt only if they change: no button disappears from under the pointer
   store.watch(["tab", "saved", "link"], () => {
     if (store.get("tab") === "project" && store.get("link") === "up" && store.get("saved") === "saved") show();
   });
@@ -85,7 +85,7 @@ export function mountSessions(studio) {
     notify(`Deleted “${called}”.`, { label: "Restore", act: back });
   }
 
-  /** The list is shown anew where nothing in it is used. */
+  /** Take the focus from the list, so that it can be refreshed. */
   function leave() {
     if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
   }

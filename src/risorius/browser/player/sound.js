@@ -14,7 +14,7 @@ export function wakeSoundWhenTouched() {
     const address = URL.createObjectURL(new Blob([new Uint32Array(HEADER), new Uint8Array(RATE / 5)]));
     const silence = new Audio(address);
     silence.addEventListener("ended", () => URL.revokeObjectURL(address));
-    // Where that is refused, the first line wakes it.
+    // If the browser refuses, the first line starts the output.
     silence.play().catch(() => {});
   };
   for (const name of names) document.addEventListener(name, wake, true);

@@ -24,10 +24,10 @@ export class Backdrop {
   /**
    * Fill a part of the picture.
    * @param {THREE.WebGLRenderer} renderer @param {number} x @param {number} width @param {number} height
-   * @param {(x: number, y: number, width: number, height: number) => void} cut confines what is cleared
+   * @param {(x: number, y: number, width: number, height: number) => void} cut limits the area to clear
    */
   paint(renderer, x, width, height, cut) {
-    // Places are rounded to whole points of the picture: bands that only touch would leave rows out between them.
+    // Coordinates are rounded to whole pixels: otherwise rows between bands would be left out.
     const over = Math.ceil(2 / renderer.getPixelRatio());
     this.#colours.forEach((colour, k) => {
       const [from, to] = [k, k + 1].map((at) => Math.round((at * height) / BANDS));

@@ -22,7 +22,7 @@ export class Blood {
   /**
    * @param {Uint32Array} index the skin's triangles @param {Float32Array} points of the skin at rest
    * @param {{flesh: Float32Array, folded: Float32Array}} shown how blood shows at each vertex
-   * @param {StageBlood} blood what skin gains at least and at most, and how often areas are smoothed
+   * @param {StageBlood} blood the limits of the gain, and the number of smoothing steps
    */
   constructor(index, points, shown, { least, most, rounds }) {
     this.#shown = shown;
@@ -39,7 +39,7 @@ export class Blood {
 
   /**
    * @param {Float32Array} points of the skin, before the head turns
-   * @param {Float32Array} gained how much blood each vertex gains, of the usual: filled
+   * @param {Float32Array} gained output: gain of blood at each vertex, as a share of the usual
    */
   flow(points, gained) {
     const { flesh, folded } = this.#shown;
@@ -55,7 +55,7 @@ export class Blood {
     }
   }
 
-  /** The areas of the quads about each coarse vertex, and about those beside it. @param {Float32Array} points */
+  /** Return the summed area of the quads around each coarse vertex, smoothed over its neighbours. @param {Float32Array} points */
   #smoothed(points) {
     let [now, next] = [this.#areas, this.#between];
     const { starts, ends } = this.#beside;

@@ -13,7 +13,7 @@ import { fewer } from "./strands.js";
 // Radius in mm within which vertices of the skin are merged: small at eyes and mouth, growing by SLOPE beyond NEAR.
 const [LEAST, MOST, NEAR, SLOPE] = [1.7, 9, 10, 0.38];
 const AROUND = 25; // mm from the midst of an eye within which they are
-const SUNK = 0.982; // how large the eyeballs are: lids of few triangles do not quite cover them when shut
+const SUNK = 0.982; // scale of the eyeballs: coarse lids do not quite cover them when shut
 const GATHERED = 1.5; // mm, in the mouth
 const [EYES, SMALL] = [["eye_left", "eye_right"], ["teeth_upper", "teeth_lower", "tongue"]];
 const ROUND = 1.6; // mm, on the eyeballs
@@ -69,7 +69,7 @@ export class Lighter {
     this.mesh = new THREE.Mesh(geometry, /** @type {any} */ ([full.material].flat()[0]).userData.quick ?? full.material);
     this.mesh.frustumCulled = false;
     this.mesh.matrixAutoUpdate = false;
-    this.mesh.matrix = full.matrix; // where the one is, the other is
+    this.mesh.matrix = full.matrix; // both have the same place
     this.mesh.renderOrder = full.renderOrder;
     for (const name of Object.keys(full.geometry.attributes)) this.take(name);
   }

@@ -22,7 +22,7 @@ export class Folds {
   #heights;
 
   /**
-   * @param {THREE.BufferGeometry} geometry the skin's, which gets what its shader needs
+   * @param {THREE.BufferGeometry} geometry the skin's; it receives the attributes for its shader
    * @param {ArrayBuffer} places @param {StageFolds} described
    */
   constructor(geometry, places, described) {
@@ -43,7 +43,7 @@ export class Folds {
     }
   }
 
-  /** Raise them to between two faces'. @param {ArrayLike<number>} a @param {ArrayLike<number>} b @param {number} share */
+  /** Set the heights to a blend of two faces'. @param {ArrayLike<number>} a @param {ArrayLike<number>} b @param {number} share */
   raise(a, b, share) {
     const heights = /** @type {Uint8Array} */ (this.#heights.array);
     this.#targets.forEach((target, k) => (heights[target] = a[k] + share * (b[k] - a[k]) + 0.5));

@@ -6,7 +6,7 @@
 /** @import {Attribute, FileMesh, HeadFile, Numbers} from "../types.js" */
 /**
  * @typedef {{attributes: Record<string, number>, indices: number, material: number}} GltfPrimitive
- * @typedef {Object} Gltf what is read of the file's own description
+ * @typedef {Object} Gltf the parts of the file's JSON that are read
  * @property {{name: string, primitives: GltfPrimitive[]}[]} meshes
  * @property {{bufferView: number, mimeType: string}[]} [images]
  * @property {{byteOffset?: number, byteLength: number}[]} bufferViews

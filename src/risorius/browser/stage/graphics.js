@@ -44,7 +44,7 @@ export function asked(search) {
 function probed() {
   const [quick, any] = [true, false].map(contextOf);
   const context = quick ?? any;
-  // The name is masked in some browsers, and in others told without the extension.
+  // Some browsers mask the name, others give it without the extension.
   const about = context?.getExtension("WEBGL_debug_renderer_info");
   const renderer = context?.getParameter(about ? about.UNMASKED_RENDERER_WEBGL : context.RENDERER) ?? "";
   for (const one of [quick, any]) one?.getExtension("WEBGL_lose_context")?.loseContext();

@@ -3,7 +3,7 @@
 const DIGITS = 3; // of the values
 const MM = 1000; // to a metre
 const BUSY = 503;
-const AGAIN = 100; // ms after which a server that has too much to draw is asked again
+const AGAIN = 100; // ms to wait before asking a busy server again
 
 /**
  * @typedef {{head?: string, age?: number | null, hair?: string | null, complexion?: number | null}} Person as choices have it
@@ -55,7 +55,7 @@ export class Newest {
     this.#work = work;
   }
 
-  /** Whether work is being done. */
+  /** Whether a task is running. */
   get busy() {
     return this.#busy;
   }

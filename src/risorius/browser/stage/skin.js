@@ -8,12 +8,12 @@ import { lighting } from "./shading.js";
 import { DEVELOPED } from "./tone.js";
 /** @import {StageTable} from "../wire.js" */
 
-const EVEN = 0.01; // a vertex' share of the key lamp is that of its triangles where it is nearer to all or nothing
+const EVEN = 0.01; // a vertex's share of the key lamp nearer than this to 0 or 1 is used for its whole triangles
 
 // Inputs of a vertex. The share of each colour that added blood leaves is nearly exp( - 2 half_ ).
 const KNOWN = `
 attribute vec4 reach;
-attribute vec4 surface; // of 1: what it sees of its surroundings, roughness squared, strength of gloss, curvature
+attribute vec4 surface; // each 0 to 1: visibility of the surroundings, roughness squared, strength of gloss, curvature
 attribute vec2 worn; // mm into the cloth, share of mouth interior
 attribute float gained;
 attribute float lipsShare;

@@ -9,8 +9,8 @@
 import * as THREE from "../vendor/three/three.module.min.js";
 /** @import {Mesh} from "../types.js" */
 
-const ALIKE = Math.cos((5 * Math.PI) / 180); // between directions of sight for which one order does
-const DEPTHS = 1024; // that are told apart
+const ALIKE = Math.cos((5 * Math.PI) / 180); // between viewing directions that share one order
+const DEPTHS = 1024; // depths that are distinguished
 const SHORT = 40; // mm
 const GOLDEN = 0.6180339887498949;
 const QUAD = [0, 1, 2, 1, 3, 2];
@@ -102,7 +102,7 @@ export class Order {
 
   /**
    * @param {THREE.BufferGeometry} geometry of strands
-   * @param {import("./cover.js").Cover | null} cover what hides some of them; null for strands that move with the face
+   * @param {import("./cover.js").Cover | null} cover surface that may hide some; null for strands that move with the face
    */
   constructor(geometry, cover = null) {
     this.#geometry = geometry;
@@ -112,7 +112,7 @@ export class Order {
     this.#depths = new Float32Array(this.#strands.count);
   }
 
-  /** @param {THREE.Vector3} sight away from who looks, of unit length, in the mesh's own frame */
+  /** @param {THREE.Vector3} sight away from the camera, of unit length, in the mesh's own frame */
   sort(sight) {
     if (sight.dot(this.#sorted) > ALIKE) return;
     this.#sorted.copy(sight);

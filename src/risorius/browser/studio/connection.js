@@ -50,7 +50,7 @@ export class Connection {
   /**
    * Ask the server to do something.
    * @param {string} verb @param {Record<string, any>} [fields]
-   * @param {(id: number) => void} [begun] told the request's number, by which it can be stopped
+   * @param {(id: number) => void} [begun] receives the request's number, which stops it
    * @returns {Promise<any>} the reply's `ok`
    */
   request(verb, fields = {}, begun = () => {}) {
@@ -61,12 +61,12 @@ export class Connection {
     return new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject }));
   }
 
-  /** Have everybody take up the session anew, as after a connection that was lost. */
+  /** Let all listeners reload the session, as after a lost connection. */
   reopen() {
     if (this.up) this.#tell("up", null);
   }
 
-  /** Let the connection go, as a network does; it is made again. */
+  /** Drop the connection, as a network failure would; it reconnects. */
   drop() {
     this.#socket?.close();
   }

@@ -14,7 +14,7 @@ export const PARTS = ["source", "choices", "emotions"];
 /** The empty draft. @type {Pick<import("./store.js").Parts, "source" | "emotions">} */
 export const NOTHING = { source: { script: "", format: "text", recording: null, edges: [] }, emotions: [] };
 
-const WAIT = 600; // ms after the last letter at which the server is told
+const WAIT = 600; // ms after the last letter until the draft is sent
 const KEY = "risorius-draft";
 
 /** Whether two parts of the store are equal. @param {unknown} a @param {unknown} b */
@@ -69,7 +69,7 @@ export function bringBack(store) {
  * @param {Studio} studio
  */
 export function keepDraft({ store, connection }) {
-  let waits = false; // whether the server is not told yet
+  let waits = false; // whether the draft is not sent yet
   const tell = () => {
     if (store.get("link") !== "up") return; // it is sent when the session opens again
     waits = false;

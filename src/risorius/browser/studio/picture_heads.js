@@ -21,7 +21,7 @@ export class PictureHeads {
   #fault = "";
   /** Pictures drawn so far. */
   drawn = 0;
-  /** From where the heads are looked at. */
+  /** The camera. */
   view = new View(() => this.#change());
 
   /** @param {HTMLCanvasElement} canvas @param {Pick<import("./studio.js").Studio, "store" | "connection" | "clock" | "notify">} studio */
@@ -38,12 +38,12 @@ export class PictureHeads {
     new ResizeObserver(() => this.#change()).observe(canvas);
   }
 
-  /** Whether the first picture has not come yet. */
+  /** Whether the first picture has not arrived yet. */
   get behind() {
     return this.#shown.length === 0;
   }
 
-  /** Whether a picture is on its way. */
+  /** Whether a picture is requested. */
   get awaits() {
     return this.#newest.busy;
   }
@@ -52,7 +52,7 @@ export class PictureHeads {
     if (this.#store.get("catalogue") && this.#canvas.clientHeight > 0) this.#newest.ask(null);
   }
 
-  /** How many stand on stage. */
+  /** The number of heads on stage. */
   get #count() {
     return this.#store.get("other") ? 2 : 1;
   }
@@ -65,7 +65,7 @@ export class PictureHeads {
         this.#shown[place] = { query, picture: await fetchPicture(query) };
         this.#fault = "";
       } catch (error) {
-        // The same picture is not asked for again until something changes, and a fault is said once.
+        // The same picture is not requested again until something changes, and an error is shown once.
         this.#shown[place] = { query, picture: this.#shown[place]?.picture ?? null };
         if (this.#fault !== told(error)) this.#notify(`The head cannot be shown: ${told(error)}`);
         this.#fault = told(error);
@@ -75,7 +75,7 @@ export class PictureHeads {
     this.#paint();
   }
 
-  /** What is asked of the server. @param {number} place */
+  /** Return the query for the server. @param {number} place */
   #query(place) {
     const { clientWidth: width, clientHeight: height } = this.#canvas;
     const size = { width: width / this.#count, height };
@@ -97,7 +97,7 @@ export class PictureHeads {
   }
 
   /**
-   * Put a picture in the midst of its part of the stage, as high as that: its width is only nearly that which was asked for.
+   * Centre a picture in its part of the stage, at full height: its width may differ slightly from the requested one.
    * @param {ImageBitmap} picture @param {number} left @param {number} width @param {number} height
    */
   #put(picture, left, width, height) {

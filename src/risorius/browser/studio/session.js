@@ -9,7 +9,7 @@ import { takeOf } from "../player/take.js";
 
 const KEY = "risorius-session";
 const NAME = /^[a-z0-9][a-z0-9-]{0,39}$/;
-const WAIT = 600; // ms after which what the page shows is kept with the project
+const WAIT = 600; // ms after which the page's view is saved with the project
 
 /** @returns {string} the session in the address, else the last open one, else a new one */
 export function sessionName() {

@@ -57,7 +57,7 @@ export function mountTransport(element, studio) {
     place.show(clock.time, clock.duration, `${clock.time.toFixed(2)} seconds`);
     time.value = `${stamp(clock.time)} / ${stamp(clock.duration)} · ${frame}`;
     const last = `${stamp(clock.duration)} / ${stamp(clock.duration)} · ${Math.round(clock.duration * clock.fps)}`;
-    // As wide as it will ever be: the scrubber beside it must not move while it plays.
+    // Its maximum width, so that the scrubber beside it does not move during playback.
     time.style.minWidth = `${last.length}ch`;
     time.title = `frame ${frame} of ${Math.round(clock.duration * clock.fps)}`;
   }

@@ -10,7 +10,7 @@ import { glyph } from "../parts/glyphs.js";
 
 const STEP = 8; // degrees a key turns the head by
 const ZOOM = 1.1;
-const PATIENCE = 400; // ms for which a face may be missing before that is said
+const PATIENCE = 400; // ms for which a face may be missing before the page says so
 
 /** @param {HTMLElement} element @param {HTMLElement} note @param {HTMLElement} names @param {import("./studio.js").Studio} studio */
 export function mountViews(element, note, names, studio) {

@@ -113,7 +113,7 @@ export class Adder {
     ); // prettier-ignore
   }
 
-  /** Take up the kind that is chosen. @param {Catalogue} catalogue @param {string | null} channel */
+  /** Apply the chosen kind. @param {Catalogue} catalogue @param {string | null} channel */
   #turn(catalogue, channel) {
     const { kind, name, amount, channel: lane } = this.#fields;
     const chosen = KINDS[kind.value];

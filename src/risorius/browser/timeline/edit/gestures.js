@@ -9,7 +9,7 @@ import { moved, nearest, pulled, snappedBy, timesOf } from "../model/times.js";
  */
 
 const REACH = 7; // pixels within which an edit snaps
-const SLACK = 3; // pixels that a pointer may tremble without dragging
+const SLACK = 3; // pixels that a pointer may move without dragging
 
 /** Move the playhead; the sound pauses meanwhile. */
 export class Scrub {

@@ -8,7 +8,7 @@ import { editOf, moved, nearest, snappedBy, stretchTo, stretchedTogether, timesO
  * Edits of several selected movements: each edit is one step to undo.
  */
 
-const SLACK = 3; // pixels that a pointer may tremble without dragging
+const SLACK = 3; // pixels that a pointer may move without dragging
 const REACH = 7; // pixels within which a drag snaps
 
 /**
@@ -59,7 +59,7 @@ export function spanOf({ group, model, edits }) {
   return [Math.min(...shown.map(({ start }) => start)), Math.max(...shown.map(({ end }) => end))];
 }
 
-const GRIP = 4; // half the size of what a selection is stretched by
+const GRIP = 4; // half the size of a handle
 
 /**
  * Return which end of the selection's bar on the ruler is at a place: 0 start, 1 end, -1 neither.

@@ -102,7 +102,7 @@ export class MarkerList {
     parent.append(this.#dialog);
   }
 
-  /** @param {number} [index] the marker whose note is to be typed */
+  /** @param {number} [index] the marker whose note gets the focus */
   open(index = 0) {
     if (!this.#controller.scene.model) return;
     this.#show();

@@ -79,7 +79,7 @@ export function listen(canvas, controller, parts) {
     [gesture, down] = [null, null];
   };
   canvas.addEventListener("pointercancel", cancel);
-  // Whatever has the keyboard: a drag is given up before anything else is.
+  // Whatever has the focus, Escape first cancels a drag.
   /** @param {KeyboardEvent} event */
   const giveUp = (event) => {
     if (event.key !== "Escape" || !gesture) return;
@@ -140,7 +140,7 @@ function begunOnBlock(controller, { block, time }, x, more) {
 function clicked(controller, found) {
   if (found.kind === "graph" && !controller.draws) {
     const { row, time } = found;
-    if (!controller.clock.playing) controller.clock.seek(time); // the face shows what is explained
+    if (!controller.clock.playing) controller.clock.seek(time); // the face shows the explained moment
     controller.ask(time, row.names.length > 1 ? row.base : row.names[0]);
   }
   if (found.kind === "lane" || found.kind === "none") controller.choose(null);

@@ -24,12 +24,12 @@ export class Preview {
     this.#standing = standing;
   }
 
-  /** @param {import("../model/model.js").Model} model whose curves are shown otherwise */
+  /** @param {import("../model/model.js").Model} model model whose curves are replaced */
   setModel(model) {
     this.#model = model;
   }
 
-  /** See to it that the curves with some edits are shown. @param {Record<string, any>[]} edits */
+  /** Show the curves with some edits. @param {Record<string, any>[]} edits */
   show(edits) {
     if (edits.length === 0) this.end();
     else {
@@ -51,7 +51,7 @@ export class Preview {
     const asked = this.#wanted;
     const answer = await this.#actions.preview(asked, this.#standing());
     this.#busy = false;
-    // What has been let go of or taken up meanwhile is no preview any more.
+    // Drop the answer if the edits have changed meanwhile.
     if (this.#wanted && answer?.take === this.#model?.take.take) this.#put(curvesOf(answer.curves));
     if (this.#wanted === asked) this.#wanted = null;
     this.#ask();

@@ -52,7 +52,7 @@ export class KeyTable {
     return h("tr", {}, ...[at, amount, shape, away].map((part) => h("td", {}, part)));
   }
 
-  /** How the curve passes a key. @param {string} parameter @param {Key} key @param {number} index @param {string} what */
+  /** Return the list of shapes of a key. @param {string} parameter @param {Key} key @param {number} index @param {string} what */
   #shape(parameter, key, index, what) {
     const options = Object.entries(SHAPES).map(([name, title]) => h("option", { value: name }, title));
     const list = h("select", { id: `tl-key-${index}-shape`, "aria-label": `Shape of ${what}` }, ...options);

@@ -42,13 +42,13 @@ export class Names {
     this.#corner.textContent = text;
   }
 
-  /** Keep beside what is drawn. */
+  /** Scroll with the canvas. */
   scroll() {
     const { headHeight, scroll, unit } = this.#controller.scene;
     this.#list.style.transform = `translateY(${(headHeight - scroll) * unit}px)`;
   }
 
-  /** Lay out the rows' names anew. */
+  /** Rebuild the rows' names. */
   show() {
     this.#corner.style.height = `${this.#controller.scene.headHeight * this.#controller.scene.unit}px`;
     const held = /** @type {HTMLElement | null} */ (document.activeElement)?.dataset.name;

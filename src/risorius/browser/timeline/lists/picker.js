@@ -50,7 +50,7 @@ export class Picker {
     if (bases.length === 0) this.#found.append(h("p", { class: "hint" }, "No muscle matches."));
   }
 
-  /** All that a muscle may be searched by. @param {string} base @param {string} name */
+  /** Return the texts that a search for a muscle looks in. @param {string} base @param {string} name */
   #text(base, name) {
     const { catalogue } = this.#controller.scene.model;
     const { number, group } = this.#controller.scene.model.parameter(name);

@@ -20,7 +20,7 @@ export class Said {
     frame.append(...Object.values(this.#marks));
   }
 
-  /** Show what is said at the scene's time, where that is in sight. */
+  /** Mark the word and phone at the scene's time, if they are visible. */
   show() {
     for (const kind of KINDS) this.#place(kind, this.#box(kind));
   }

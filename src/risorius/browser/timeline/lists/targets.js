@@ -21,7 +21,7 @@ export class Targets {
       h("div", { class: "stack" }, ...rows)); // prettier-ignore
   }
 
-  /** Targets by parameter, those of both sides together where they are the same. @param {Block} block */
+  /** Return the targets by parameter; both sides are merged if they are the same. @param {Block} block */
   #groups({ targets }) {
     const { model } = this.#controller.scene;
     /** @type {Map<string, Target>} */

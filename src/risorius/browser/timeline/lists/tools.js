@@ -37,7 +37,7 @@ export class Tools {
       button("Fit", () => controller.fit(), { title: "Show the whole take" }))); // prettier-ignore
   }
 
-  /** Show what can be done now. */
+  /** Enable the buttons that apply now. */
   show() {
     const { selectedKey } = this.#controller.scene;
     this.#copy.disabled = !this.#controller.blocks.some(({ editable }) => editable);

@@ -22,7 +22,7 @@ export class Why {
   #keys;
   #targets;
   /** @type {NamedReason[]} */
-  #instead = []; // what moves the parameters that the selected movement aims at, where it does not
+  #instead = []; // reasons of the movements that win over the selected one
 
   /** @param {HTMLElement} parent @param {import("../controller.js").TimelineController} controller */
   constructor(parent, controller) {
@@ -53,7 +53,7 @@ export class Why {
     if (focus) foundIn(this.#box, `#${CSS.escape(focus)}`)?.focus();
   }
 
-  /** Show the times of the selected block as they are now. */
+  /** Show the current times of the selected block. */
   refresh() {
     const { block } = this.#controller;
     if (!block) return;
@@ -77,7 +77,7 @@ export class Why {
     return [...this.#head(block), when, ...told, ...(block.free ? this.#shape(block) : this.#shut(block))];
   }
 
-  /** Why a movement is not to be seen: what it aims at, and what moves that instead. @param {Block} block */
+  /** Explain why a movement is not visible, with the movements that act on its targets instead. @param {Block} block */
   #idle(block) {
     const { parameters } = this.#controller.scene.model;
     const targets = Object.entries(block.targets);
@@ -103,7 +103,7 @@ export class Why {
     return lane.at(-1) ?? null;
   }
 
-  /** What a movement is, and why it is there. @param {Block} block */
+  /** Describe a movement and its cause. @param {Block} block */
   #head(block) {
     const title = h("h2", {}, block.label || "silence");
     const lane = h("p", { class: "tl-part", style: colourOf(block.channel) }, `${block.channel}, priority ${block.priority}`);
@@ -111,12 +111,12 @@ export class Why {
     return [title, lane, cause];
   }
 
-  /** Why it cannot be changed. @param {Block} block */
+  /** Explain why a movement cannot be changed. @param {Block} block */
   #shut({ editable, channel }) {
     return editable ? [h("p", { class: "hint" }, `The lane ${channel} is locked.`)] : [];
   }
 
-  /** Its times and targets as numbers to change. @param {Block} block */
+  /** Return its times and targets as number fields. @param {Block} block */
   #shape(block) {
     this.#times = TIMES.map((title, k) => this.#time(title, k));
     this.refresh();

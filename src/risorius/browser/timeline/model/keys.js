@@ -5,7 +5,7 @@
 /** @import {Around, Key} from "../../types.js" */
 
 const APART = 0.005; // s between two keys at least
-const TETHER = 0.15; // s in which a drawn curve leaves what was there, and meets it again
+const TETHER = 0.15; // s of transition between a drawn curve and the earlier one
 
 /**
  * Return the keys with one added.

@@ -23,7 +23,7 @@ export class Pyramid {
   }
 
   /**
-   * Least and greatest of samples [first, last), at least one.
+   * Return minimum and maximum of samples [first, last), at least one.
    * @param {number} first @param {number} last @returns {[number, number]}
    */
   range(first, last) {

@@ -14,7 +14,7 @@ const SPEECH = [
 ];
 export const BLOCK = 17; // height of one row of blocks
 const LANE_PAD = 2;
-const LEAST = 25; // a lane's own height at least: its name is a button, which fingers must hit
+const LEAST = 25; // minimum height of a lane: its name is a button for fingers
 export const GRAPH = 52;
 
 /** @param {import("./model.js").Model} model @returns {SpeechRow[]} */

@@ -146,7 +146,7 @@ export function paintTexts({ context, view, palette, model, count }, row) {
   let painted = -Infinity;
   for (const item of (words ? speech.words : speech.phones).within(view.start, view.end)) {
     const [x, end] = [view.x(item.start), view.x(item.end)];
-    if (end - painted < 1) continue; // within one pixel of what is there
+    if (end - painted < 1) continue; // within one pixel of the last box
     painted = end;
     count.texts++;
     paintText({ context, palette, view }, row, item, [x, end]);
