@@ -49,8 +49,8 @@ vec4 grain( vec3 place, vec3 cells ) {
   float right = mix( flat_.y - flat_.x, flat_.w - flat_.z, way.y );
   return vec4( mix( rows.x, rows.y, way.y ), vec3( right, rows.y - rows.x, mix( rises.x, rises.y, way.y ) ) * cells );
 }
-// The share of the key lamp that reaches a place (shadow.py): a tent filter over the texels around it: `reach` to either side and
-// one more, or some of these.
+// The share of the key lamp that reaches a place (shadow.py): a tent filter over the texels around it, "reach" of them to either
+// side and one more, or every "stride"-th of these.
 float keyShare( vec3 place, int reach, int stride ) {
   vec4 p = vec4( place, 1.0 );
   vec2 at = vec2( dot( shadowRows[ 0 ], p ), dot( shadowRows[ 1 ], p ) ) - 0.5;
