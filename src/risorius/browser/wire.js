@@ -892,8 +892,8 @@
  */
 /**
  * Changes of the skin's colour, as computed in `looks/perfusion.py`.
- * `skin` and `lips`: absorption of red, green and blue by the usual amount of blood; `least` and `most`: limits
- * of the change in moving skin, as a share of the usual; `rounds`: smoothing steps of the areas.
+ * `skin` and `lips`: absorption of red, green and blue by the usual amount of blood; `least` and `most`:
+ * limits of the change in moving skin, as a share of the usual; `rounds`: smoothing steps of the areas.
  * @typedef {Object} StageBlood
  * @property {[number, number, number]} skin
  * @property {[number, number, number]} lips
