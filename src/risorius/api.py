@@ -20,11 +20,9 @@ from .ports.curves.performance_json import read_performance_file
 from .ports.output_files import check_targets
 from .ports.score.score_json import read_score_file
 from .rules.emotions import Display, Displays, parse_display
-from .rules.poses import posed
 from .rules.rule_set import emotions_of
 from .settings import BlendChoices, Settings
-from .speech import Input, Recording, align_recording, read, read_transcript
-from .speech.recordings.recording import read_recording
+from .speech import Input, Recording, read, read_transcript
 from .take import Take
 from .unused_settings import CAPTURE, CHARACTER, PERFORMANCE, POSE, RECOGNIZED, SCORE, reject, reject_unused
 
@@ -67,13 +65,13 @@ def speak(
     return perform_input(named, displays, settings, progress)
 
 
-def perform_input(given: Input, emotions: Displays, settings: Settings, progress: Progress = quiet) -> Take:
+def perform_input(inputs: Input, emotions: Displays, settings: Settings, progress: Progress = quiet) -> Take:
     """Read a text, a script or a recording and perform it, showing `emotions` beside those that it marks.
 
     Raises RisoriusError; UnusedSettingError for settings of a voice where nothing is to be synthesized.
     """
     with emotions_of(settings.rules, settings.expression):  # a fault in it is told before anything is spoken
-        source = read(given)
+        source = read(inputs)
     reject_unused(source, settings)
     return perform(source, emotions, settings, progress)
 
@@ -91,6 +89,8 @@ def align(
     The take's `utterance` has it; the face rests. Raises RisoriusError with one line on what is wrong and
     where.
     """
+    from .speech.from_recording import align_recording  # only recordings need the alignment
+
     if transcript is None and language is not None:
         raise UnusedSettingError(["language"], RECOGNIZED, Place(str(audio)))
     words = read_transcript(_text_or_file(transcript))
@@ -166,7 +166,11 @@ def play(
         reject(settings, CAPTURE, Place(str(capture)))
         file = kind.read(path, ReadOptions(partial(head_of, settings), progress))
         take = combine(announced(file.score, settings.fps, progress), settings, file.utterance)
-    return take if audio is None else replace(take, sound=read_recording(path_of(audio)))
+    if audio is None:
+        return take
+    from .speech.recordings.recording import read_recording
+
+    return replace(take, sound=read_recording(path_of(audio)))
 
 
 def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Settings | None = None) -> Take:
@@ -187,6 +191,8 @@ def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Sett
         raise UnusedSettingError(
             ["emotion"], "a pose has no times and no priorities; expected NAME:INTENSITY"
         )
+    from .rules.poses import posed
+
     shown = {display.emotion: display.intensity for display in displays}
     keys = {name: ((0.0, value),) for name, value in posed(targets, shown).items()}
     pose_curve = ManualCurve(keys, Cause("pose", "command"))

@@ -2,8 +2,7 @@
 
 from .affect import feelings
 from .engines.voices import voices
-from .from_recording import LabelledRecording, Recording, align_recording
-from .input import Input, SpeechSource, read, read_transcript
+from .input import Input, LabelledRecording, Recording, SpeechSource, read, read_transcript
 from .synthesis import VOICE_SETTINGS, synthesize_line, synthesize_script
 from .synthesis_cache import SynthesisCache
 
@@ -15,7 +14,6 @@ __all__ = [
     "SpeechSource",
     "SynthesisCache",
     "feelings",
-    "align_recording",
     "read",
     "read_transcript",
     "synthesize_line",

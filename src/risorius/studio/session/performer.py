@@ -17,7 +17,8 @@ from ...rules.rule_set import emotions_of
 from ...script import Script, parse_script
 from ...settings import Settings
 from ...settings.declare import Stage
-from ...speech import LabelledRecording, Recording, align_recording
+from ...speech import LabelledRecording, Recording
+from ...speech.from_recording import align_recording
 from ...speech.recordings.recording import read_recording
 from ...speech.structure.edges_moved import EdgeShift, with_edges
 from ...take import with_profile
@@ -97,10 +98,12 @@ class Performer:
         if source.recording is not None or source.format == "TextGrid":
             language = settings.language
             recording = self._recording(source, language)
-            script, found = self._heard.get((source, language), lambda: align_recording(recording, progress))
+            script, aligned = self._heard.get(
+                (source, language), lambda: align_recording(recording, progress)
+            )
             if isinstance(recording, Recording) and recording.script is not None:
                 script = recording.script  # its marks show emotions as they are in force now
-            heard = self._with_edges((source, language), found, edges)
+            heard = self._with_edges((source, language), aligned, edges)
             return script, heard, _placed(spans, heard)
         script = parse_script(source.script, _SUFFIX[source.format], "script")
 
