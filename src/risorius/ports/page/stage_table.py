@@ -50,8 +50,8 @@ class StageLight:
 class StageBlood:
     """Changes of the skin's colour, as computed in `looks/perfusion.py`.
 
-    `skin` and `lips`: absorption of red, green and blue by the usual amount of blood; `least` and `most`: limits
-    of the change in moving skin, as a share of the usual; `rounds`: smoothing steps of the areas.
+    `skin` and `lips`: absorption of red, green and blue by the usual amount of blood; `least` and `most`:
+    limits of the change in moving skin, as a share of the usual; `rounds`: smoothing steps of the areas.
     """
 
     skin: tuple[float, float, float]
