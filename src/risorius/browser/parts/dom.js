@@ -58,22 +58,6 @@ export function fill(element, ...children) {
   return element;
 }
 
-/** Call at most once per animation frame, with the last arguments. @template {unknown[]} A @param {(...given: A) => void} call */
-export function perFrame(call) {
-  /** @type {A | null} */
-  let last = null;
-  return (/** @type {A} */ ...given) => {
-    if (last === null) {
-      requestAnimationFrame(() => {
-        const now = /** @type {A} */ (last);
-        last = null;
-        call(...now);
-      });
-    }
-    last = given;
-  };
-}
-
 /**
  * Return a function that calls `call` once it has not been called itself for `wait` ms (debounce).
  * @template {unknown[]} A @param {(...given: A) => void} call @param {number} wait

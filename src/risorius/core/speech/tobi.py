@@ -30,8 +30,3 @@ def boundary_tone(text: str) -> str:
     if label not in (*BOUNDARY_TONES, UNKNOWN_BOUNDARY):
         raise ParameterError(unknown("boundary tone", text, BOUNDARY_TONES))
     return label
-
-
-def is_intonational(label: str) -> bool:
-    """Return whether a boundary ends an intonational phrase, not only an intermediate one."""
-    return label.endswith("%")
