@@ -202,7 +202,7 @@ class LipRig:
         missing = average(APERTURE) - powers[0]
         # Beside a low jaw and rounding the fit finds little effect at first: a small gap would need a leap.
         powers[1] = np.maximum(powers[1], _LEAST_EFFECT)
-        controls["open"] = _solve(powers, positive_part(missing, PARTED))
+        controls["open"] = solve(powers, positive_part(missing, PARTED))
         controls[SEAL] = seal_of(positive_part(-missing, PARTED), np.maximum(average(APERTURE), 0.0))
         return controls
 
@@ -219,7 +219,7 @@ class LipRig:
         return self.passive(APERTURE, controls)
 
     def _jaw(self, drop: Array) -> Array:
-        return _solve(self._along(JAW, "jaw", {}), positive_part(drop, ROUNDED))
+        return solve(self._along(JAW, "jaw", {}), positive_part(drop, ROUNDED))
 
     def _raising(
         self, controls: Mapping[str, Array], average: Averages, articulators: Collection[str]
@@ -330,7 +330,7 @@ def _nested(terms: Mapping[tuple[str, ...], float]) -> _Sum | float:
     return _Sum(control, _nested(inner), _nested(outer))
 
 
-def _solve(powers: Powers, values: Array) -> Array:
+def solve(powers: Powers, values: Array) -> Array:
     """Return x in 0..1 with Σ powers[k] x^k = values over k >= 1, or the nearest end without a solution.
 
     Newton's method within a bracket, because a muscle beside a stronger one hardly moves anything at first.
@@ -363,7 +363,7 @@ def _slope(powers: Powers, x: Array) -> Array:
 
 
 def _newton(values: Array, first: Array, second: Array, third: Array) -> Array:
-    """Return the solutions of `_solve` for `values` (n,), none of them 0."""
+    """Return the solutions of `solve` for `values` (n,), none of them 0."""
     if not len(values):
         return values
     # Decreasing polynomials are solved with their signs reversed.
