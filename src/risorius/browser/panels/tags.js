@@ -15,7 +15,7 @@ const ROOTS = [
 ];
 
 /** Whether a text has tags. @param {string} text */
-export function hasTags(text) {
+function hasTags(text) {
   return TAG.test(text);
 }
 
@@ -23,7 +23,7 @@ export function hasTags(text) {
  * Return the text as markup, with its format: tags within words are SSML's.
  * @param {string} text @returns {Pick<Parts["source"], "script" | "format">}
  */
-export function asMarkup(text) {
+function asMarkup(text) {
   const format = ROOTS.find(([root]) => root.test(text))?.[1];
   return format ? { script: text, format } : { script: `<speak>${text}</speak>`, format: "ssml" };
 }

@@ -8,7 +8,7 @@ import * as THREE from "../vendor/three/three.module.min.js";
  * @param {ArrayBuffer} places as the server packs them
  * @param {StageFolds} described @param {number} vertices of the skin
  */
-export function unpackFolds(places, { count, slots }, vertices) {
+function unpackFolds(places, { count, slots }, vertices) {
   const entries = slots * vertices;
   return {
     targets: new Uint32Array(places, 0, count),

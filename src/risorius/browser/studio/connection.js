@@ -10,10 +10,10 @@ const FIRST_WAIT = 250; // ms before the first attempt to reconnect
 const LONGEST_WAIT = 5000;
 
 /** The server's answer to a request that it cannot fulfil. */
-export class Refusal extends Error {}
+class Refusal extends Error {}
 
 /** The socket closed before the answer came. */
-export class Disconnected extends Error {}
+class Disconnected extends Error {}
 
 export class Connection {
   #url;

@@ -79,7 +79,7 @@ export function toggleLoop(clock) {
 }
 
 /** @param {number} time seconds @returns {string} such as 0:03.250 */
-export function stamp(time) {
+function stamp(time) {
   const minutes = Math.floor(time / 60);
   const seconds = time - 60 * minutes;
   return `${minutes}:${seconds.toFixed(2).padStart(5, "0")}`;

@@ -5,7 +5,7 @@
 
 /** @import {Band, Block, BodyRow, LaneRow, SpeechRow} from "../../types.js" */
 
-export const RULER = 20;
+const RULER = 20;
 /** @type {[SpeechRow["kind"], number][]} */
 const SPEECH = [
   ["wave", 34],

@@ -10,7 +10,7 @@ import { blockBand } from "../model/rows.js";
 
 const SMALLEST = 2; // pixels: a narrower block is a stroke, and only one of those is drawn in a pixel
 const LABELLED = 34;
-export const HANDLE = 3.5; // half the size of a handle
+const HANDLE = 3.5; // half the size of a handle
 const LEAST_HEIGHT = 0.45; // share of its row that the weakest movement fills
 
 /**
