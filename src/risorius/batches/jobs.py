@@ -88,8 +88,8 @@ class JobMaker:
         if settings.look.transparent:
             check_alpha(OutputFile(local_path(pattern.text), pattern.format) for pattern in self.patterns)
         sheet = None if self.sheets is None else str(self.sheets / f"{name}.png")
-        source = replace(self._input(cells), language=settings.language)
-        return BatchJob(name, row.place, source, emotions, settings, outputs, sheet)
+        given = replace(self._input(cells), language=settings.language)
+        return BatchJob(name, row.place, given, emotions, settings, outputs, sheet)
 
     def _settings(self, cells: Mapping[str, str]) -> dict[str, str]:
         """Return the settings that a row chooses, as texts by name."""

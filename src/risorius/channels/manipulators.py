@@ -34,8 +34,8 @@ WaitReset = tuple[float, float, float]
 
 def manipulators(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
     """Yield the marked blinks, those of rules, and others if too much time passes without one."""
-    blinks = list(marked_and_ruled(inputs, context))
-    yield from blinks
+    known = list(marked_and_ruled(inputs, context))
+    yield from known
     habits, boundaries = inputs.profile.blinks, inputs.units.boundaries
     if not inputs.lively or habits.model == "none":
         return
@@ -46,16 +46,16 @@ def manipulators(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
         return blink("manipulators", start, depth, habits, boundaries, Cause(rule, "eyes to wet"))
 
     length = blink_seconds(habits)
-    events = _events([*blinks, *context.built], length, saccades=habits.model == "itti")
+    events = _events([*known, *context.built], length, saccades=habits.model == "itti")
     yield from _between(events, inputs.duration - length, following, added, context.numbers)
 
 
 def _events(others: Sequence[Movement], length: float, *, saccades: bool) -> list[WaitReset]:
     """Return the blinks among other movements, and if wanted the saccades, in order."""
-    resets = [(m.start, m.end, length + _APART) for m in others if _is_blink(m)]
+    found = [(m.start, m.end, length + _APART) for m in others if _is_blink(m)]
     if saccades:
-        resets += [(m.start, m.start + m.onset, 0.0) for m in others if _is_saccade(m)]
-    return sorted(resets)
+        found += [(m.start, m.start + m.onset, 0.0) for m in others if _is_saccade(m)]
+    return sorted(found)
 
 
 def _is_blink(m: Movement) -> bool:

@@ -51,8 +51,8 @@ class SentenceBuffer:
         """Return all that waits, as sentences; the last ends where it does, whatever follows."""
         sentences = self._take(list(divide(self._text, self._language)))
         if sentences:
-            last = sentences[-1].rstrip()
-            sentences[-1] = last + (" " if last[-1] in _ENDS else "\n\n")
+            rest = sentences[-1].rstrip()
+            sentences[-1] = rest + (" " if rest[-1] in _ENDS else "\n\n")
         self._text = ""
         return sentences
 

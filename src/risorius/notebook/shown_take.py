@@ -44,8 +44,8 @@ def liveliest(performance: Performance) -> dict[str, Array]:
         if sides[0].kind in (Kind.MUSCLE, Kind.CONTACT)
     }
     moved = sorted(((float(np.ptp(curve)), name) for name, curve in means.items()), reverse=True)
-    chosen = {name for range_, name in moved[:MOST] if range_ >= _LEAST}
-    return {name: curve for name, curve in means.items() if name in chosen}
+    kept = {name for range_, name in moved[:MOST] if range_ >= _LEAST}
+    return {name: curve for name, curve in means.items() if name in kept}
 
 
 def optional(module: str, package: str) -> Any:

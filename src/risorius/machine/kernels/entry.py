@@ -27,7 +27,7 @@ KINDS = types.intp(types.intp, types.intp, types.intp)
 
 def entry_of(kernel: Declaration, signature: Signature, compiled: Any) -> Callable[..., int]:
     """Return an entry, still to be compiled."""
-    namespace: dict[str, Any] = {
+    known: dict[str, Any] = {
         "kernel": compiled,
         "carray": numba.carray,
         "long": _long,
@@ -49,13 +49,13 @@ def entry_of(kernel: Declaration, signature: Signature, compiled: Any) -> Callab
         lines.append(f"    v{k} = long(arguments + {8 * k})")
         lines += [f"    if {_differs(f'v{k}', value)}:", "        return counted(count_up, refusal)"]
     for k, value in enumerate(values):
-        lines += _read(f"v{k}", value, namespace)
+        lines += _read(f"v{k}", value, known)
     left = [f"v{k}" for k in range(len(values))]
-    run = f"kernel({', '.join(_expression(kind, left, namespace) for kind in signature.arguments)})"
+    run = f"kernel({', '.join(_expression(kind, left, known) for kind in signature.arguments)})"
     lines += ["    state = call(release_lock)", f"    {'result = ' if signature.result else ''}{run}"]
     lines += ["    resume(take_lock, state)", f"    return {_returned(signature.result)}"]
-    exec(compile("\n".join(lines), f"<entry of {kernel.name}>", "exec"), namespace)
-    entry: Callable[..., int] = namespace["entry"]
+    exec(compile("\n".join(lines), f"<entry of {kernel.name}>", "exec"), known)
+    entry: Callable[..., int] = known["entry"]
     return entry
 
 
@@ -81,13 +81,13 @@ def _length(name: str, axis: int) -> str:
     return f"long(long({name} + {LAYOUT.shape}) + {8 * axis})"
 
 
-def _read(name: str, value: Value, namespace: dict[str, Any]) -> list[str]:
+def _read(name: str, value: Value, known: dict[str, Any]) -> list[str]:
     """Return source that replaces an object by its value."""
     if value.shape:
-        namespace[f"at_{value.type}"] = _pointer(value.dtype)
+        known[f"at_{value.type}"] = _pointer(value.dtype)
         shape = "".join(f"{n or _length(name, k)}, " for k, n in enumerate(value.shape))
         return [f"    {name} = carray(at_{value.type}(long({name} + {LAYOUT.data})), ({shape}))"]
-    namespace["b1" if value.dtype.kind == "b" else value.type] = value.dtype.type
+    known["b1" if value.dtype.kind == "b" else value.type] = value.dtype.type
     if value.dtype.kind == "f":
         read = f"{value.type}(real({name} + {LAYOUT.value}))"
         if value.type == "f4":
@@ -104,15 +104,15 @@ def _returned(result: Value | None) -> str:
     return "of_real(make_real, result)" if result.dtype.kind == "f" else "whole(make_whole, result)"
 
 
-def _expression(kind: Value | Record, left: list[str], namespace: dict[str, Any]) -> str:
+def _expression(kind: Value | Record, left: list[str], known: dict[str, Any]) -> str:
     """Return source of an argument, made of the names that are left, which it takes away."""
     if isinstance(kind, Value):
         name = left.pop(0)
         return name if kind.shape else f"n{name}"
-    parts = "".join(f"{_expression(part, left, namespace)}, " for part in kind.parts)
+    parts = "".join(f"{_expression(part, left, known)}, " for part in kind.parts)
     if kind.make is None:
         return f"({parts})"
-    namespace[kind.make.__name__] = kind.make
+    known[kind.make.__name__] = kind.make
     return f"{kind.make.__name__}({parts})"
 
 
@@ -121,15 +121,15 @@ _ORDERS = {"=": ord("="), "|": ord("|")}
 """The orders of bytes: this machine's, and that of single bytes."""
 
 
-def _reader(kind: Any, result: Any, widened: bool = False) -> Any:
+def _reader(kind: Any, wanted: Any, widened: bool = False) -> Any:
     """Return a function of kernels that reads a number at an address."""
 
     def read(context: Any, place: Any) -> Any:
         def load(context: Any, builder: ir.IRBuilder, signature: Any, arguments: Any) -> Any:
-            number = builder.load(builder.inttoptr(arguments[0], kind.as_pointer()))
-            return builder.zext(number, _LONG) if widened else number
+            found = builder.load(builder.inttoptr(arguments[0], kind.as_pointer()))
+            return builder.zext(found, _LONG) if widened else found
 
-        return result(types.int64), load
+        return wanted(types.int64), load
 
     return intrinsic(read)
 
@@ -149,10 +149,10 @@ def _caller(result: Any, *kinds: Any, same: bool = False) -> Any:
     def lower(context: Any, builder: ir.IRBuilder, signature: Any, arguments: Any) -> Any:
         returned = ir.VoidType() if same or result is types.void else _LONG
         kind = ir.FunctionType(returned, [argument.type for argument in arguments[1:]])
-        returned_value = builder.call(builder.inttoptr(arguments[0], kind.as_pointer()), arguments[1:])
+        found = builder.call(builder.inttoptr(arguments[0], kind.as_pointer()), arguments[1:])
         if same:
             return arguments[1]
-        return context.get_dummy_value() if result is types.void else returned_value
+        return context.get_dummy_value() if result is types.void else found
 
     def alone(context: Any, function: Any) -> Any:
         return result(types.int64), lower

@@ -54,26 +54,26 @@ class ClipBasis:
         """Find the weights of the frames that wait; those that shapes do not make add one each."""
         if not self._waiting:
             return
-        residuals = self._of_moving(self._block[: self._waiting])
+        rest = self._of_moving(self._block[: self._waiting])
         self._waiting = 0
-        weights = np.zeros((len(residuals), ROOM), np.float32)
-        self._split(residuals, weights)
-        for frame in range(len(residuals)):
+        weights = np.zeros((len(rest), ROOM), np.float32)
+        self._split(rest, weights)
+        for frame in range(len(rest)):
             if self._count == ROOM:
                 break
-            if _distances(residuals[frame : frame + 1]).max(initial=0.0) <= self.tolerance:
+            if _distances(rest[frame : frame + 1]).max(initial=0.0) <= self.tolerance:
                 continue
             # Once more, because the first time leaves a little of the others in it.
-            direction = residuals[frame : frame + 1].copy()
+            direction = rest[frame : frame + 1].copy()
             self._split(direction, np.zeros((1, ROOM), np.float32))
             new = direction[0] / np.linalg.norm(direction)
             self._shapes[self._count] = new
-            share = residuals[frame:] @ new
+            share = rest[frame:] @ new
             weights[frame:, self._count] = share
-            residuals[frame:] -= share[:, None] * new
+            rest[frame:] -= share[:, None] * new
             self._count += 1
         self._weights.extend(weights)
-        self._errors.append(self._errors_of(residuals))
+        self._errors.append(self._errors_of(rest))
 
     def _of_moving(self, block: Float32Array) -> Float32Array:
         """Return displacements (k, 3 n) of the points that move, in this block or before: (k, 3 m)."""
@@ -95,25 +95,25 @@ class ClipBasis:
         if not count:
             return np.zeros((0, *self.rest.shape)), weights
         turn = np.linalg.svd(weights, full_matrices=False)[2]
-        turned, basis = weights @ turn.T, self._shapes[:count]
-        self._drop(turned[:, self.most :], turn[self.most :].astype(np.float32) @ basis)
+        turned, found = weights @ turn.T, self._shapes[:count]
+        self._drop(turned[:, self.most :], turn[self.most :].astype(np.float32) @ found)
         turned, turn = turned[:, : self.most], turn[: self.most]
         scale = np.maximum(np.abs(turned).max(axis=0), 1e-9)
         shapes = np.zeros((len(turn), self.rest.size))
-        shapes[:, self._columns] = (turn * scale[:, None]) @ basis.astype(np.float64)
+        shapes[:, self._columns] = (turn * scale[:, None]) @ found.astype(np.float64)
         return shapes.reshape(len(turn), *self.rest.shape), turned / scale
 
     def _drop(self, weights: Array, shapes: Float32Array) -> None:
-        """Count the residuals that omitted shapes leave: their distances add to the largest ones so far."""
+        """Count the rest that omitted shapes leave: its distances add to the largest ones so far."""
         if not len(shapes):
             return
         for number, errors in enumerate(self._errors):
             block = weights[number * BLOCK : number * BLOCK + len(errors)].astype(np.float32)
             errors += self._errors_of(block @ shapes)
 
-    def _errors_of(self, residuals: Float32Array) -> Array:
+    def _errors_of(self, rest: Float32Array) -> Array:
         """Return the mean square over all points and the largest distance in each frame, (k, 2)."""
-        distances = _distances(residuals)
+        distances = _distances(rest)
         squares = (distances**2).sum(axis=1) / len(self.rest)
         return np.stack([squares, distances.max(axis=1, initial=0.0)], axis=1)
 
@@ -123,24 +123,24 @@ class ClipBasis:
         errors = np.concatenate(self._errors)
         return float(np.sqrt(errors[:, 0].mean())), float(errors[:, 1].max())
 
-    def _split(self, residuals: Float32Array, weights: Float32Array) -> None:
-        """Subtract the shapes found so far from frames `residuals` (k, 3 n), and add their weights."""
+    def _split(self, rest: Float32Array, weights: Float32Array) -> None:
+        """Take the part of the shapes so far out of some frames `rest` (k, 3 n), and add their weights."""
         shapes = self._shapes[: self._count]
-        parts = residuals @ shapes.T
-        weights[:, : self._count] += parts
-        residuals -= parts @ shapes
+        made = rest @ shapes.T
+        weights[:, : self._count] += made
+        rest -= made @ shapes
 
 
-def _distances(residuals: Float32Array) -> Float32Array:
+def _distances(rest: Float32Array) -> Float32Array:
     """Return how far each vertex is off in each frame, (k, n)."""
-    squares = np.empty((len(residuals), residuals.shape[1] // 3), np.float32)
-    _squares(residuals, squares)
+    squares = np.empty((len(rest), rest.shape[1] // 3), np.float32)
+    _squares(rest, squares)
     return np.sqrt(squares, out=squares)
 
 
 @kernel("f4[:, :], f4[:, :]")
-def _squares(residuals: Float32Array, out: Float32Array) -> None:
+def _squares(rest: Float32Array, out: Float32Array) -> None:
     for f in range(len(out)):
         for v in range(out.shape[1]):
-            x, y, z = residuals[f, 3 * v], residuals[f, 3 * v + 1], residuals[f, 3 * v + 2]
+            x, y, z = rest[f, 3 * v], rest[f, 3 * v + 1], rest[f, 3 * v + 2]
             out[f, v] = x * x + y * y + z * z

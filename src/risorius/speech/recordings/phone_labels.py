@@ -54,8 +54,8 @@ def read_phones(labels: Sequence[Label], source: str) -> tuple[bool, list[PhoneL
     arpabet = all(_arpabet(label.text) for label in spoken)
     if not arpabet and _looks_arpabet(spoken):
         unknown_label = next(label for label in spoken if _arpabet(label.text) is None)
-        symbols = sorted(phonesets.ARPABET)
-        raise InputError(unknown("phone", unknown_label.text, symbols), Place(source, unknown_label.line))
+        known = sorted(phonesets.ARPABET)
+        raise InputError(unknown("phone", unknown_label.text, known), Place(source, unknown_label.line))
     return arpabet, [_read(label, arpabet, source) for label in labels]
 
 
@@ -99,5 +99,5 @@ def _ipa(text: str) -> PhoneLabel | None:
 
 def _looks_arpabet(labels: Sequence[Label]) -> bool:
     """Tell whether most labels are ARPAbet in capitals, so that one that is not is a slip."""
-    capitals = sum(_arpabet(label.text) is not None and label.text[:1].isupper() for label in labels)
-    return 2 * capitals > len(labels)
+    known = sum(_arpabet(label.text) is not None and label.text[:1].isupper() for label in labels)
+    return 2 * known > len(labels)
