@@ -98,12 +98,10 @@ class Performer:
         if source.recording is not None or source.format == "TextGrid":
             language = settings.language
             recording = self._recording(source, language)
-            script, aligned = self._heard.get(
-                (source, language), lambda: align_recording(recording, progress)
-            )
+            script, found = self._heard.get((source, language), lambda: align_recording(recording, progress))
             if isinstance(recording, Recording) and recording.script is not None:
                 script = recording.script  # its marks show emotions as they are in force now
-            heard = self._with_edges((source, language), aligned, edges)
+            heard = self._with_edges((source, language), found, edges)
             return script, heard, _placed(spans, heard)
         script = parse_script(source.script, _SUFFIX[source.format], "script")
 
