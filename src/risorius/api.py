@@ -20,6 +20,7 @@ from .ports.curves.performance_json import read_performance_file
 from .ports.output_files import check_targets
 from .ports.score.score_json import read_score_file
 from .rules.emotions import Display, Displays, parse_display
+from .rules.poses import posed
 from .rules.rule_set import emotions_of
 from .settings import BlendChoices, Settings
 from .speech import Input, Recording, read, read_transcript
@@ -65,13 +66,13 @@ def speak(
     return perform_input(named, displays, settings, progress)
 
 
-def perform_input(inputs: Input, emotions: Displays, settings: Settings, progress: Progress = quiet) -> Take:
+def perform_input(given: Input, emotions: Displays, settings: Settings, progress: Progress = quiet) -> Take:
     """Read a text, a script or a recording and perform it, showing `emotions` beside those that it marks.
 
     Raises RisoriusError; UnusedSettingError for settings of a voice where nothing is to be synthesized.
     """
     with emotions_of(settings.rules, settings.expression):  # a fault in it is told before anything is spoken
-        source = read(inputs)
+        source = read(given)
     reject_unused(source, settings)
     return perform(source, emotions, settings, progress)
 
@@ -191,8 +192,6 @@ def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Sett
         raise UnusedSettingError(
             ["emotion"], "a pose has no times and no priorities; expected NAME:INTENSITY"
         )
-    from .rules.poses import posed
-
     shown = {display.emotion: display.intensity for display in displays}
     keys = {name: ((0.0, value),) for name, value in posed(targets, shown).items()}
     pose_curve = ManualCurve(keys, Cause("pose", "command"))
