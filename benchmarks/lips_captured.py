@@ -22,8 +22,7 @@ from risorius import pipeline
 from risorius.core.arrays import Array
 from risorius.core.speech.utterance import Phone, Utterance
 from risorius.settings import BlendChoices, Settings
-from risorius.speech import LabelledRecording
-from risorius.speech.from_recording import align_recording
+from risorius.speech import LabelledRecording, align_recording
 
 FPS, FINE = 100, 0.001
 MODELS = ("effort", "dominance", "lookahead")

@@ -31,9 +31,8 @@ from risorius.core.parameters import INDEX, NAMES
 from risorius.core.speech.audio import Audio
 from risorius.core.speech.utterance import Utterance
 from risorius.face.fit.lip_file import load_lip_rig
-from risorius.speech import Recording
+from risorius.speech import Recording, align_recording
 from risorius.speech.alignment import align
-from risorius.speech.from_recording import align_recording
 from risorius.speech.recordings.recording import read_recording
 
 FPS, COARSE = 200.0, 50.0

@@ -23,7 +23,7 @@ from .rules.emotions import Display, Displays, parse_display
 from .rules.poses import posed
 from .rules.rule_set import emotions_of
 from .settings import BlendChoices, Settings
-from .speech import Input, Recording, read, read_transcript
+from .speech import Input, Recording, align_recording, read, read_transcript
 from .take import Take
 from .unused_settings import CAPTURE, CHARACTER, PERFORMANCE, POSE, RECOGNIZED, SCORE, reject, reject_unused
 
@@ -90,8 +90,6 @@ def align(
     The take's `utterance` has it; the face rests. Raises RisoriusError with one line on what is wrong and
     where.
     """
-    from .speech.from_recording import align_recording  # only recordings need the alignment
-
     if transcript is None and language is not None:
         raise UnusedSettingError(["language"], RECOGNIZED, Place(str(audio)))
     words = read_transcript(_text_or_file(transcript))

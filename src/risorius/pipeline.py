@@ -18,7 +18,7 @@ from .rules.profiles import attitude, profile_of
 from .rules.rule_set import emotions_of, rule_set_of
 from .script import Script
 from .settings import Settings
-from .speech import VOICE_SETTINGS, SpeechSource, SynthesisCache, feelings, synthesize_script
+from .speech import VOICE_SETTINGS, SpeechSource, SynthesisCache, align_recording, feelings, synthesize_script
 from .take import Take, lip_rig, with_profile
 
 
@@ -38,8 +38,6 @@ def perform(
         if isinstance(source, Script):
             script, utterance = source, speak(source, emotions, settings, progress, before)
         else:
-            from .speech.from_recording import align_recording  # only recordings need the alignment
-
             script, utterance = align_recording(source, progress)
         score = compose(script, utterance, emotions, settings)
     return combine(announced(score, settings.fps, progress), settings, utterance)

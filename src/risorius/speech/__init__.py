@@ -1,5 +1,8 @@
 """From text to speech: sound with timed words and phones."""
 
+from ..core.progress import Progress, quiet
+from ..core.speech.utterance import Utterance
+from ..script import Script
 from .affect import feelings
 from .engines.voices import voices
 from .input import Input, LabelledRecording, Recording, SpeechSource, read, read_transcript
@@ -13,6 +16,7 @@ __all__ = [
     "Recording",
     "SpeechSource",
     "SynthesisCache",
+    "align_recording",
     "feelings",
     "read",
     "read_transcript",
@@ -20,3 +24,15 @@ __all__ = [
     "synthesize_script",
     "voices",
 ]
+
+
+def align_recording(
+    recording: Recording | LabelledRecording, progress: Progress = quiet
+) -> tuple[Script, Utterance]:
+    """Return the script to be performed, and the timed utterance of a recording (see `from_recording`).
+
+    The aligner is loaded with the first recording: texts do without it.
+    """
+    from .from_recording import align_recording as align
+
+    return align(recording, progress)

@@ -10,8 +10,7 @@ from risorius.core.speech.audio import silence
 from risorius.core.speech.utterance import PauseKind
 from risorius.errors import InputError, Place, SpeechWarning
 from risorius.script import read_script
-from risorius.speech import Recording, synthesize_script
-from risorius.speech.from_recording import align_recording
+from risorius.speech import Recording, align_recording, synthesize_script
 from risorius.speech.recordings.dictated import utterance_dictated
 
 PLACE = Place("x.utt", 2, 5)

@@ -17,8 +17,7 @@ from ...rules.rule_set import emotions_of
 from ...script import Script, parse_script
 from ...settings import Settings
 from ...settings.declare import Stage
-from ...speech import LabelledRecording, Recording
-from ...speech.from_recording import align_recording
+from ...speech import LabelledRecording, Recording, align_recording
 from ...speech.recordings.recording import read_recording
 from ...speech.structure.edges_moved import EdgeShift, with_edges
 from ...take import with_profile
