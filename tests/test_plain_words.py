@@ -1,4 +1,4 @@
-"""Docstrings and messages are plain: they open with their subject, and say "not a" and "if"."""
+"""Docstrings, messages and the pages' comments open with their subject, and say "not a" and "if"."""
 
 import ast
 import re
@@ -60,6 +60,49 @@ def _faults(source: str) -> list[str]:
         if re.search(pattern, " ".join(text.split()))
     )
     return [*opened, *riddles]
+
+
+def _comments(script: str) -> Iterator[str]:
+    """Yield the documentation comments of a page's module, and runs of its line comments."""
+    for block in re.findall(r"/\*\*(.*?)\*/", script, re.DOTALL):
+        yield " ".join(re.sub(r"^\s*\* ?", "", line).strip() for line in block.splitlines()).strip()
+    for run in re.findall(r"^\s*//.*(?:\n\s*//.*)*", script, re.MULTILINE):
+        yield " ".join(line.strip().removeprefix("//").strip() for line in run.splitlines())
+
+
+def _faults_of_script(script: str) -> list[str]:
+    texts = list(_comments(script))
+    opened = [f"{text[:110]!r} opens with a question" for text in texts if OPENINGS.match(text)]
+    riddles = (
+        f"{text[:110]!r}: say {better}"
+        for text in texts
+        for better, pattern in RIDDLES.items()
+        if re.search(pattern, text)
+    )
+    return [*opened, *riddles]
+
+
+def test_comments_of_the_pages_are_plain() -> None:
+    pages = ROOT / "browser"
+    faults = [
+        f"{path.relative_to(ROOT)}: {fault}"
+        for path in sorted(pages.rglob("*.js"))
+        if "vendor" not in path.parts
+        for fault in _faults_of_script(path.read_text(encoding="utf-8"))
+    ]
+    assert not faults, "\n".join(faults)
+
+
+@pytest.mark.parametrize(
+    "script",
+    [
+        "/** What is drawn. */\nlet a;",
+        "/**\n * Where the heads stand.\n * @param {number} a\n */",
+        "// A list, as\n// though it were full\n",
+    ],
+)
+def test_riddles_in_scripts_are_found(script: str) -> None:
+    assert _faults_of_script(script)
 
 
 def test_docstrings_and_messages_are_plain() -> None:

@@ -105,7 +105,7 @@ def test_an_error_comes_with_its_place(started: list[Worker], tmp_path: Path) ->
 def test_a_process_that_ends_costs_nothing_but_time(
     task: str, started: list[Worker], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(speaking, "_TASK", task)
+    monkeypatch.setattr(speaking, "TASK", task)
     take = speak_and_prepare(LINE, SMALL, quiet)
     assert take.score == speak(**LINE, settings=SMALL).score
     assert len(started) == 1
@@ -115,7 +115,7 @@ def test_it_is_ended_with_the_command(started: list[Worker], monkeypatch: pytest
     def interrupted(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(speaking, "_loaded", interrupted)
+    monkeypatch.setattr(speaking, "load_head", interrupted)
     with pytest.raises(KeyboardInterrupt):
         speak_and_prepare(LINE, SMALL, quiet)
     assert started[0].is_closed

@@ -41,7 +41,8 @@ def test_a_pickled_take_has_equal_curves_explanations_and_faces(make) -> None:  
 def test_curves_between_frames_are_exact_in_all_that_moves_the_skin() -> None:
     take = risorius.speak("Five, yes.", emotion={"joy": 0.5})
     times = np.arange(0, 150) / 120
-    exact, between = take._plan.at(times), take._curves_between_frames(times)
+    assert take.planned is not None
+    exact, between = take.planned.at(times), take._curves_between_frames(times)
     for name in take.head.fields:
         np.testing.assert_array_equal(between[:, INDEX[name]], exact[:, INDEX[name]])
     assert exact[:, INDEX["lip_tuck"]].any()

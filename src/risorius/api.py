@@ -24,7 +24,6 @@ from .rules.poses import posed
 from .rules.rule_set import emotions_of
 from .settings import BlendChoices, Settings
 from .speech import Input, Recording, align_recording, read, read_transcript
-from .speech.recordings.recording import read_recording
 from .take import Take
 from .unused_settings import CAPTURE, CHARACTER, PERFORMANCE, POSE, RECOGNIZED, SCORE, reject, reject_unused
 
@@ -166,7 +165,11 @@ def play(
         reject(settings, CAPTURE, Place(str(capture)))
         file = kind.read(path, ReadOptions(partial(head_of, settings), progress))
         take = combine(announced(file.score, settings.fps, progress), settings, file.utterance)
-    return take if audio is None else replace(take, sound=read_recording(path_of(audio)))
+    if audio is None:
+        return take
+    from .speech.recordings.recording import read_recording
+
+    return replace(take, sound=read_recording(path_of(audio)))
 
 
 def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Settings | None = None) -> Take:

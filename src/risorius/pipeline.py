@@ -74,7 +74,7 @@ def combine(
     score: Score, settings: Settings, utterance: Utterance | None = None, earlier: Take | None = None
 ) -> Take:
     """Combine movements into curves; parts that an `earlier` take has in common with this one are reused."""
-    known = earlier.planned if earlier else None
-    plan = Plan(score, lip_rig(score, settings.head), known)
-    performance = recombine(plan, settings.fps, known, earlier.performance if earlier else None)
+    planned = earlier.planned if earlier else None
+    plan = Plan(score, lip_rig(score, settings.head), planned)
+    performance = recombine(plan, settings.fps, planned, earlier.performance if earlier else None)
     return Take(performance, settings, utterance, planned=plan)

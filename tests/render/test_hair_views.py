@@ -5,7 +5,7 @@ import pytest
 
 from risorius.face.numerics.rotations import head_rotation
 from risorius.looks.attributes import HAIR
-from risorius.render.hair_views import HairViews
+from risorius.render import hair_views
 from risorius.render.software_renderer import SoftwareRenderer
 
 
@@ -25,18 +25,18 @@ def seen(renderer, frame):
 @pytest.mark.parametrize("angles", [(0, 0, 0), (9, -31, 4), (-20, 70, 0), (5, 178, 0)])
 def test_leaving_out_hidden_hairs_hardly_changes_what_is_seen(drawn, face, angles):
     frame = replace(face(), head_rotation=head_rotation(*angles))
-    views, drawn._hair_views = drawn._hair_views, None
+    views, drawn.hair_views = drawn.hair_views, None
     try:
         everything, whole = seen(drawn, frame), drawn.triangles_shown.copy()
     finally:
-        drawn._hair_views = views
+        drawn.hair_views = views
     kept = seen(drawn, frame)
     assert len(np.setdiff1d(everything, kept)) < 0.12 * len(everything)
     assert (drawn.triangles_shown != whole).mean() < 0.007
 
 
 def test_at_least_half_of_the_hair_is_left_out(drawn, face):
-    shown = drawn._hair_views.seen(drawn.camera.eye, face().head_rotation)
+    shown = drawn.hair_views.seen(drawn.camera.eye, face().head_rotation)
     first, last = shown.points.T.astype(int)
     scene, facial = drawn.scene, drawn.scene.facial_hairs
     segments = np.zeros(scene.hairs, int)
@@ -57,11 +57,11 @@ def test_what_is_left_out_does_not_depend_on_the_pictures_before(drawn, model, f
 def test_a_close_up_shows_every_hair(model):
     close = SoftwareRenderer(model, (160, 160)).camera
     near = replace(close, field_of_view=1.0)
-    assert SoftwareRenderer(model, (720, 720), camera=near)._hair_views is None
+    assert SoftwareRenderer(model, (720, 720), camera=near).hair_views is None
 
 
 def test_views_of_before_are_not_drawn_again(drawn, model, face, monkeypatch):
     frame = replace(face(), head_rotation=head_rotation(-8, 50, 2))
     before = drawn.render(frame)
-    monkeypatch.setattr(HairViews, "_look", lambda *_: pytest.fail("drawn again"))
+    monkeypatch.setattr(hair_views, "project", lambda *_: pytest.fail("drawn again"))
     assert (SoftwareRenderer(model, (160, 160)).render(frame) == before).all()

@@ -33,6 +33,16 @@ def subject(utterance_of):
     return Subject(Performance(score, Fraction(30), values), utterance)
 
 
+def written(monkeypatch):
+    """Return a list that is filled with the place, the letters and the width of each text that is drawn."""
+    texts = []
+    monkeypatch.setattr(
+        "PIL.ImageDraw.ImageDraw.text",
+        lambda pen, at, text, font, **_: texts.append((at[0], text, font.getlength(text))),
+    )
+    return texts
+
+
 def drawn(subject, names, frame, channels=3):
     overlays = Overlays(names, subject, SIZE)
     width, height = overlays.picture_size
@@ -81,14 +91,11 @@ def test_the_current_phone_is_bright(subject):
 
 def test_names_of_phones_do_not_run_into_each_other(clip, monkeypatch):
     strip = Phones(Subject(clip.performance, clip.utterance), (480, 480))
-    width = strip._text.getlength
-    texts = []
-    text_of = "PIL.ImageDraw.ImageDraw.text"
-    monkeypatch.setattr(text_of, lambda pen, at, text, **_: texts.append((at[0], text)))
+    texts = written(monkeypatch)
     for frame in range(len(clip.times)):
         texts.clear()
         strip.draw(Image.new("RGB", (480, 480)), 480, frame)
-        edges = [(x - 0.5 * width(text), x + 0.5 * width(text)) for x, text in texts]
+        edges = [(x - 0.5 * width, x + 0.5 * width) for x, _, width in texts]
         # The current one is named though it be short: only it may reach out of its room.
         assert sum(b[0] < a[1] for a, b in pairwise(edges)) <= 1
 
@@ -100,9 +107,12 @@ def test_units_are_the_mean_of_their_muscles(subject):
     assert values[5] == pytest.approx([0.4, 0.0])
 
 
-def test_captions_have_the_marks_of_the_text(clip):
-    caption = Caption(Subject(clip.performance, clip.utterance), SIZE)
-    assert [[word.text for word in line] for line in caption._lines] == [["Oh,", "my", "mother!"]]
+def test_captions_have_the_marks_of_the_text(clip, monkeypatch):
+    texts = written(monkeypatch)
+    Caption(Subject(clip.performance, clip.utterance), SIZE).draw(
+        Image.new("RGB", SIZE), SIZE[1], len(clip.times) // 2
+    )
+    assert [text for _, text, _ in texts] == ["Oh,", "my", "mother!"]
 
 
 def test_names_and_labels_of_lanes_stand_whole(subject, monkeypatch):
@@ -111,16 +121,14 @@ def test_names_and_labels_of_lanes_stand_whole(subject, monkeypatch):
     ]
     score = Score(subject.performance.duration, (SMILE, NOD, *later))
     lanes = Lanes(Subject(replace(subject.performance, score=score), None), (720, 720))
-    width = lanes._text.getlength
-    assert lanes._left > max(map(width, lanes._lanes))
-    texts = []
-    monkeypatch.setattr(
-        "PIL.ImageDraw.ImageDraw.text", lambda pen, at, text, **_: texts.append((at[0], text))
-    )
+    texts = written(monkeypatch)
     lanes.draw(Image.new("RGB", (720, 720 + lanes.below)), 720, 3)
-    labels = {text: x for x, text in texts if text in ("a joke", "later")}
-    assert labels["later"] - labels["a joke"] > width("a joke")
-    assert [text for _, text in texts].count("later") == 1
+    places = {text: (x, x + width) for x, text, width in texts}
+    assert places["later"][0] > places["a joke"][1]
+    assert min(places[text][0] for text in ("a joke", "later")) > max(
+        places[name][1] for name in ("emotion", "head")
+    )
+    assert [text for _, text, _ in texts].count("later") == 1
 
 
 def test_blocks_go_by_channel_and_say_their_cause(subject):

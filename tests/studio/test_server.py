@@ -115,7 +115,7 @@ def test_faces_can_be_asked_for_at_a_pace_but_for_the_first_second_of_them(serve
         async def until(time):
             due.append(time)
 
-        monkeypatch.setattr(streaming, "_until", until)
+        monkeypatch.setattr(streaming, "until", until)
         assert page.ask("faces", take=take["take"], first=0, last=36, pace=12)["sent"] == 36
         assert due[-1] - due[0] == pytest.approx((36 - 1) / 12)
         assert [header(message)[3] for message in page.faces][:2] == [1, 4]

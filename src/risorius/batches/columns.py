@@ -51,7 +51,7 @@ def normal(name: str) -> str:
 
 def check_columns(names: Collection[str], read_elsewhere: Collection[str], place: Place) -> None:
     """Raise InputError for a column that nothing reads: neither a setting, nor in a pattern, nor ignored."""
-    known = (*INPUT, *setting_columns())
+    columns = (*INPUT, *setting_columns())
     for name in names:
-        if normal(name) not in known and name not in read_elsewhere:
-            raise InputError(f"{unknown('column', name, known)}; --ignore leaves it out", place)
+        if normal(name) not in columns and name not in read_elsewhere:
+            raise InputError(f"{unknown('column', name, columns)}; --ignore leaves it out", place)

@@ -20,12 +20,12 @@ _USED = ("risorius", "av", "espeakng-loader", "llvmlite", "numpy", "pocketsphinx
 """Packages on whose version the bytes of outputs depend."""
 
 
-def fingerprint(job: BatchJob, known: Mapping[str, FileRecord]) -> tuple[str, dict[str, FileRecord]]:
+def fingerprint(job: BatchJob, records: Mapping[str, FileRecord]) -> tuple[str, dict[str, FileRecord]]:
     """Return the digest of a job, and the records of its files.
 
-    A file is read unless its size and time of change are those of its `known` record.
+    A file is read unless its size and time of change are those of its `records` record.
     """
-    files = {name: _record(name, known.get(name)) for name in files_of(job)}
+    files = {name: _record(name, records.get(name)) for name in files_of(job)}
     parts = [installation(), repr((job.given, job.emotions, job.settings, job.outputs, job.sheet))]
     parts += [f"{name} {record[2]}" for name, record in files.items()]
     return _digest("\n".join(parts).encode()), files
@@ -33,10 +33,10 @@ def fingerprint(job: BatchJob, known: Mapping[str, FileRecord]) -> tuple[str, di
 
 def files_of(job: BatchJob) -> list[str]:
     """Return the files that a line is made from: its input, and those that settings and emotions name."""
-    given = job.given
-    names = [str(given.audio)] if given.audio is not None else []
-    names += [given.script] if given.script is not None and not given.text else []
-    chosen = [given.transcript, *(display.emotion for display in job.emotions), *_texts(job.settings)]
+    source = job.given
+    names = [str(source.audio)] if source.audio is not None else []
+    names += [source.script] if source.script is not None and not source.text else []
+    chosen = [source.transcript, *(display.emotion for display in job.emotions), *_texts(job.settings)]
     for text in filter(None, chosen):
         names += [text] if is_remote(text) else map(str, _files_named(text))
     return names
@@ -60,10 +60,10 @@ def _files_named(text: str) -> list[Path]:
         return []  # no name of a file
 
 
-def _record(name: str, known: FileRecord | None) -> FileRecord:
+def _record(name: str, record: FileRecord | None) -> FileRecord:
     size, changed = state_of(name) or (0, "")
-    if known is not None and tuple(known[:2]) == (size, changed) and changed:
-        return known
+    if record is not None and tuple(record[:2]) == (size, changed) and changed:
+        return record
     return size, changed, _digest(read_bytes(name))
 
 

@@ -25,8 +25,8 @@ class OutputPattern:
     def __post_init__(self) -> None:
         if not is_utf8(self.text):
             raise OutputError("is not UTF-8; expected a name that can be written down", Place(self.text))
-        rest = _COLUMN.sub("", self.text)
-        if "{" in rest or "}" in rest or "" in self.columns:
+        fixed = _COLUMN.sub("", self.text)
+        if "{" in fixed or "}" in fixed or "" in self.columns:
             raise OutputError("has a brace without a column; expected e.g. out/{id}.mp4", Place(self.text))
         if not self.columns:
             raise OutputError("names no column; expected e.g. out/{id}.mp4", Place(self.text))

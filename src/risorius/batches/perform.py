@@ -113,14 +113,17 @@ def write_sheet(take: Take, path: str) -> None:
 @contextlib.contextmanager
 def _local(job: BatchJob, folder: Path) -> Iterator[BatchJob]:
     """Yield the job with files from elsewhere in a folder; when the block ends well, outputs go elsewhere."""
-    given, content = job.given, _content(job)
-    audio, transcript = _fetched(given.audio, folder / "audio"), _fetched(given.transcript, folder / "words")
-    given = replace(given, audio=audio, transcript=transcript, content=content)
-    if not given.text and content is None:
-        given = replace(given, script=_fetched(given.script, folder / "script"))
+    source, content = job.given, _content(job)
+    audio, transcript = (
+        _fetched(source.audio, folder / "audio"),
+        _fetched(source.transcript, folder / "words"),
+    )
+    source = replace(source, audio=audio, transcript=transcript, content=content)
+    if not source.text and content is None:
+        source = replace(source, script=_fetched(source.script, folder / "script"))
     outputs = [_output(name, folder / str(number)) for number, name in enumerate(job.outputs)]
     try:
-        yield replace(job, given=given, outputs=tuple(map(str, outputs)))
+        yield replace(job, given=source, outputs=tuple(map(str, outputs)))
     except RisoriusError as error:
         raise _named_as_given(error, job, folder) from None
     for name, path in zip(job.outputs, outputs, strict=True):

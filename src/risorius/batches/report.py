@@ -55,12 +55,12 @@ class Report(Scratch):
         failed = "state = 'failed'"
         doubtful = f"NOT {failed} AND doubt >= {-OWN.doubt}"
         odd_pace = f"NOT ({doubtful}) AND pace > 0 AND (pace < {SLOW} OR pace > {FAST})"
-        rest = f"NOT {failed} AND NOT ({doubtful}) AND NOT ({odd_pace})"
+        unremarkable = f"NOT {failed} AND NOT ({doubtful}) AND NOT ({odd_pace})"
         return (
             self._lines(f"WHERE {failed} ORDER BY rowid"),
             self._lines(f"WHERE {doubtful} ORDER BY doubt DESC, rowid"),
             self._lines(f"WHERE NOT {failed} AND {odd_pace} ORDER BY abs(pace - {USUAL}) DESC, rowid"),
-            self._lines(f"WHERE {rest} ORDER BY doubt DESC, rowid"),
+            self._lines(f"WHERE {unremarkable} ORDER BY doubt DESC, rowid"),
         )
 
     def _lines(self, order: str) -> list[PageLine]:
@@ -83,8 +83,8 @@ class Report(Scratch):
         duration = "total(json_extract(result, '$.outcome.duration'))"
         query = f"SELECT state, count(*), {duration} FROM results GROUP BY state"
         counts = {state: (count, seconds) for state, count, seconds in self._database.execute(query)}
-        made, whole, failed = (counts.get(state, (0, 0.0)) for state in LineState)
-        return Totals(made[0], whole[0], failed[0], made[1] + whole[1])
+        done, whole, failed = (counts.get(state, (0, 0.0)) for state in LineState)
+        return Totals(done[0], whole[0], failed[0], done[1] + whole[1])
 
     def _ordered(self, order: str) -> Iterator[LineResult]:
         for (text,) in self._database.execute(f"SELECT result FROM results {order}"):

@@ -90,14 +90,14 @@ class BatchRun:
             for number, row in enumerate(self.rows):
                 if not self.shard.holds(_name_of(row, number)):
                     continue
-                known = self._known(row, names)
-                if isinstance(known, LineResult):
-                    yield known
+                job_or_result = self._known(row, names)
+                if isinstance(job_or_result, LineResult):
+                    yield job_or_result
                 else:
                     yield from self._made(block=False)
                     while self.executor.full:
                         yield from self._made(block=True)
-                    self.executor.submit(known)
+                    self.executor.submit(job_or_result)
         self.executor.flush()
         while self.executor.busy:
             yield from self._made(block=True)

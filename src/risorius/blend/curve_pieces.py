@@ -101,15 +101,15 @@ def speed_at(s: CurvePiece, time: float, value: float) -> float:
 
 def last_time(s: CurvePiece, signed: bool) -> float:
     """Return when a piece comes to rest if nothing interrupts it."""
-    rest = s.start
+    last = s.start
     if s.level:
-        rest = s.end
+        last = s.end
     elif signed and s.begin:
-        rest = s.start + s.onset
+        last = s.start + s.onset
     if s.excess:
         exponential = s.fade_function == DEFAULT_FUNCTION
-        rest = max(rest, s.start + s.fade * (math.log2(1.0 + s.excess) if exponential else 1.0))
-    return rest
+        last = max(last, s.start + s.fade * (math.log2(1.0 + s.excess) if exponential else 1.0))
+    return last
 
 
 _numbers = attrgetter(
@@ -281,13 +281,13 @@ class MovementCurve:
         return merged(np.column_stack((on, off))[on < off])
 
     def _crossing(
-        self, pieces: IndexArray, threshold: float, low: Array, high: Array, wanted: BoolArray
+        self, pieces: IndexArray, threshold: float, low: Array, high: Array, chosen: BoolArray
     ) -> Array:
-        """Return when in [low, high] the wanted pieces cross the threshold, 0 for others, shape (n,)."""
+        """Return when in [low, high] the chosen pieces cross the threshold, 0 for others, shape (n,)."""
         crossings = np.zeros(len(pieces))
-        k = pieces[wanted]
+        k = pieces[chosen]
         if len(k):
-            crossings[wanted] = find_roots(
-                lambda t: self.evaluate(k, t) - threshold, low[wanted], high[wanted]
+            crossings[chosen] = find_roots(
+                lambda t: self.evaluate(k, t) - threshold, low[chosen], high[chosen]
             )
         return crossings

@@ -68,8 +68,8 @@ def _contributions(sample: PlanSample, name: str) -> list[Contribution]:
 def _origin_of_rounded(sample: PlanSample, name: str) -> PlanSample:
     """Return the moment near by that moves a parameter most: by rounding it shows in `sample`, too."""
     near = SmoothingWindow(sample.times, sample.plan.rounding.width(name), sample.plan.score.duration).times
-    found = PlanSample(sample.plan, near).joined(name) - NEUTRAL[INDEX[name]]
-    return PlanSample(sample.plan, near[[int(np.abs(found).argmax())]])
+    offsets = PlanSample(sample.plan, near).joined(name) - NEUTRAL[INDEX[name]]
+    return PlanSample(sample.plan, near[[int(np.abs(offsets).argmax())]])
 
 
 def _lost(loser: Contribution, winner: Contribution | None, adds: bool) -> Contribution:

@@ -78,9 +78,9 @@ class Knots:
             low[0] = min(int((start - edges[0]) / widths[0]), counts[0] - 1)
         if edges[-1] - stop > BLOCK:
             high[-1] = max(counts[-1] - int((edges[-1] - stop) / widths[-1]), int(low[-1]) + 1)
-        kept = high - low
-        part = np.arange(int(kept.sum())) - np.repeat(np.cumsum(kept) - kept - low, kept)
-        knots = np.repeat(edges[:-1], kept) + part * np.repeat(widths, kept)
+        blocks = high - low
+        part = np.arange(int(blocks.sum())) - np.repeat(np.cumsum(blocks) - blocks - low, blocks)
+        knots = np.repeat(edges[:-1], blocks) + part * np.repeat(widths, blocks)
         end = edges[-1] if high[-1] == counts[-1] else edges[-2] + high[-1] * widths[-1]
         return np.append(knots, end)
 

@@ -24,11 +24,11 @@ class CompiledLayers:
             like = None
         # By the `id()` of the score's movements, which live as long as the score.
         self._performed: dict[int, Movement] = {}
-        known = {} if like is None else like._performed
+        performed = {} if like is None else like._performed
         movements: dict[str, dict[LayerKey, list[Movement]]] = defaultdict(lambda: defaultdict(list))
-        for number, given in enumerate(score.movements):
-            movement = known.get(id(given)) or _without_rivals(given, score.settings.conflict)
-            self._performed[id(given)] = movement
+        for number, written in enumerate(score.movements):
+            movement = performed.get(id(written)) or _without_rivals(written, score.settings.conflict)
+            self._performed[id(written)] = movement
             movements[movement.channel][movement.on_top, movement.layer].append(movement)
             self.order[id(movement)] = number
         self._movements = movements

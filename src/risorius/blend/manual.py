@@ -20,9 +20,9 @@ class KeyCurve:
 
     def __init__(self, name: str, drawn: ManualCurve) -> None:
         table = polyline(drawn.keys[name], drawn.shapes.get(name, ()))
-        known = PARAMETERS[INDEX[name]]
+        parameter = PARAMETERS[INDEX[name]]
         # Handles may reach beyond the range.
-        values = np.clip(table[:, 1], known.low, known.high) if drawn.shapes else table[:, 1]
+        values = np.clip(table[:, 1], parameter.low, parameter.high) if drawn.shapes else table[:, 1]
         self.times, self.values = table[:, 0].copy(), values - NEUTRALS[name]
         self._keys = np.array([time for time, _ in drawn.keys[name]])
         self._drawn = drawn

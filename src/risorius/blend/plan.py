@@ -86,16 +86,16 @@ class Plan:
         self.twins = twins_of(self.channels, self.lips)
         self.moving = sorted({*(n for c in self.channels for n in c.curves), *limited, *contacts})
 
-    def at(self, times: Array, wanted: Container[str] = NAMES) -> Array:
+    def at(self, times: Array, names: Container[str] = NAMES) -> Array:
         """Return all parameters at the times, seconds, in any order, shape (n,) -> (n, 46).
 
-        Those that are not `wanted` stay at rest.
+        Those that are not in `names` stay at rest.
         """
         times = np.asarray(times, dtype=np.float64)
         order = np.argsort(times, kind="stable")
         values = np.empty((len(times), len(NAMES)))
         for chunk in _chunks(times[order]):
-            values[order[chunk]] = PlanSample(self, times[order[chunk]]).values(wanted)
+            values[order[chunk]] = PlanSample(self, times[order[chunk]]).values(names)
         return values
 
     def performance(self, fps: Fraction) -> Performance:
@@ -149,11 +149,11 @@ class PlanSample:
         self._values: dict[str, Array] = {}
         self._around: dict[tuple[float, bool], tuple[SmoothingWindow, PlanSample]] = {}
 
-    def values(self, wanted: Container[str] = NAMES) -> Array:
-        """Return all parameters, shape (n, 46); those that are not `wanted` stay at rest."""
+    def values(self, names: Container[str] = NAMES) -> Array:
+        """Return all parameters, shape (n, 46); those that are not in `names` stay at rest."""
         values = np.tile(NEUTRAL, (len(self.times), 1))
         for name in self.plan.moving:
-            if name in wanted:
+            if name in names:
                 values[:, INDEX[name]] = self.value(name)
         return values
 

@@ -100,16 +100,16 @@ class SmoothingWindow:
 
 def _spans_of(score: Score, width: float) -> dict[str, Spans]:
     """Return where each parameter has corners that are meant: drawn by hand, or of a sharp movement."""
-    found: dict[str, list[tuple[float, float]]] = defaultdict(list)
+    spans_by_name: dict[str, list[tuple[float, float]]] = defaultdict(list)
     for m in score.movements:
         if (score.settings.onset_function or m.function) in CORNERED or 0.0 in (m.onset, m.offset):
-            _add(found, m.parameters, m.start - width, m.end + width)
+            _add(spans_by_name, m.parameters, m.start - width, m.end + width)
     for curve in score.manual:
         for name, keys in curve.keys.items():
-            _add(found, (name,), keys[0][0] - width, keys[-1][0] + width)
-    return {name: merged(np.array(sorted(spans))) for name, spans in found.items()}
+            _add(spans_by_name, (name,), keys[0][0] - width, keys[-1][0] + width)
+    return {name: merged(np.array(sorted(spans))) for name, spans in spans_by_name.items()}
 
 
-def _add(found: dict[str, list[tuple[float, float]]], names: Iterable[str], start: float, end: float) -> None:
+def _add(spans: dict[str, list[tuple[float, float]]], names: Iterable[str], start: float, end: float) -> None:
     for name in names:
-        found[name].append((start, end))
+        spans[name].append((start, end))

@@ -4,14 +4,14 @@
  * @import {KeyShape, ParameterRow, PauseView, PhoneView, Reason, Tone, WordView} from "./wire.js"
  * @import {Spans} from "./timeline/model/spans.js"
  *
- * What the store holds of what is written:
+ * The draft in the store:
  * @typedef {Pick<import("./studio/store.js").Parts, "source" | "choices" | "emotions">} Written
  * @typedef {Required<import("./wire.js").EmotionSpan>} EmotionSpan
- * @typedef {{time: number | null, parameter: string | null, movement: string | null}} Selection what was pointed at
+ * @typedef {{time: number | null, parameter: string | null, movement: string | null}} Selection the selected part
  * @typedef {{values: Record<string, number>, emotions: Record<string, number>}} DialledFace as `Dial` of the wire
  *
  * Elements and their makers:
- * @typedef {Node | string | null | false} Child what an element may hold; null and false are left out
+ * @typedef {Node | string | null | false} Child content of an element; null and false are left out
  * @typedef {Record<string, any>} Attributes as `make` takes them
  * @typedef {HTMLElement & {show: (value: any) => void}} Control one that can be set from outside
  *
@@ -40,7 +40,7 @@
  * @typedef {"ground" | "head" | "rule" | "grid" | "text" | "faint" | "wave" | "word" | "pause" | "accent" | "tone"
  *   | "mark" | "loop" | "curve" | "other" | "inhibited" | "limited" | "key" | "label"} ColourName
  * @typedef {Record<ColourName, string> & {channels: Record<string, string>, font: string}} Palette
- * @typedef {Object} ChannelGraph what a channel asks of a parameter and is given, as numbers
+ * @typedef {Object} ChannelGraph the values that a channel requests of a parameter and receives
  * @property {string} channel
  * @property {Float32Array} asked
  * @property {Float32Array} given
@@ -52,8 +52,8 @@
  * @typedef {[top: number, bottom: number]} Band of a block
  * @typedef {{x0: number, y0: number, x1: number, y1: number}} Box
  *
- * What lies under a point of the timeline. `handle` of a block: 0 start, 1 end of onset, 2 start of offset, 3 end;
- * `end` of what is selected: 0 its start, 1 its end; `phone`: the one whose edge it is.
+ * The part of the timeline under a point. `handle` of a block: 0 start, 1 end of onset, 2 start of offset, 3 end;
+ * `end` of the selection: 0 its start, 1 its end; `phone`: the phone that begins at the edge.
  * @typedef {{kind: "head", row: SpeechRow | null, time: number}
  *   | {kind: "grip", row: SpeechRow | null, end: number, time: number}
  *   | {kind: "marker", row: SpeechRow | null, index: number, time: number}
@@ -68,7 +68,7 @@
  * @typedef {{move: (x: number, y: number, event: PointerEvent) => void, end: () => void, cancel: () => void}} Gesture
  *
  * The stage:
- * @typedef {(x: number, y: number, width: number, height: number) => void} Cut confines what is cleared
+ * @typedef {(x: number, y: number, width: number, height: number) => void} Cut limits the area to clear
  * @typedef {{order: number[], index: Uint32Array}} Few some of a mesh's vertices, and the triangles between these
  * @typedef {{eyes: number[][], edges: number[][], mouth: number[]}} Spots where the skin is fine, mm
  * @typedef {import("three").Mesh<import("three").BufferGeometry, import("three").Material>} Mesh
@@ -80,12 +80,12 @@
  * @typedef {import("./wire.js").CameraView} CameraState
  * @typedef {Object} HeadData of the server
  * @property {ArrayBuffer} head at rest, as binary glTF
- * @property {ArrayBuffer} shade what each vertex of the skin sees at rest of its surroundings and of each lamp, how far
- *   it is from the neckline, how its blood and its gloss show, as `head_shade.py` packs it
- * @property {ArrayBuffer} folds where its fine wrinkles lie, as `head_folds.py` packs it
- * @property {ArrayBuffer} skin the tables that skin is shaded by, as `skin_formulas.py` packs them
+ * @property {ArrayBuffer} shade visibility of the surroundings and of each lamp at rest, for each vertex of the skin, its distance
+ *   to the neckline, its blood and gloss, as `head_shade.py` packs them
+ * @property {ArrayBuffer} folds the places of its fine wrinkles, as `head_folds.py` packs them
+ * @property {ArrayBuffer} skin the tables for shading skin, as `skin_formulas.py` packs them
  *
- * A performance that a page holds (`player/`):
+ * A performance embedded in a page (`player/`):
  * @typedef {Object} PlayedFacts
  * @property {string} fps
  * @property {number} frames
@@ -96,7 +96,7 @@
  * @property {[text: string, start: number, end: number][]} words
  * @property {[text: string, start: number, end: number][]} captions
  * @property {{channel: string, blocks: [text: string, start: number, end: number, rule: string, targets: Record<string, number>][]}[]} lanes
- * @property {{lines: string[], times: number[][]}} reasons lines, and which of them hold at each time
+ * @property {{lines: string[], times: number[][]}} reasons lines, and the indices of those that apply at each time
  * @typedef {{text: string, start: number, end: number, kind?: string, rule?: string, targets?: Record<string, number>}} PlayedBlock
  */
 export {};

@@ -892,8 +892,8 @@
  */
 /**
  * Changes of the skin's colour, as computed in `looks/perfusion.py`.
- * What the usual blood absorbs of red, green and blue in skin and in lips, and the least and the most that
- * moving skin gains of the usual blood; how often the areas are smoothed by which this is known.
+ * `skin` and `lips`: absorption of red, green and blue by the usual amount of blood; `least` and `most`:
+ * limits of the change in moving skin, as a share of the usual; `rounds`: smoothing steps of the areas.
  * @typedef {Object} StageBlood
  * @property {[number, number, number]} skin
  * @property {[number, number, number]} lips

@@ -48,8 +48,8 @@ def coming_vowels(
     phones = utterance.phones
     syllable = {
         index: number
-        for number, held in enumerate(utterance.syllables)
-        for index in range(held.first_phone, held.last_phone)
+        for number, own in enumerate(utterance.syllables)
+        for index in range(own.first_phone, own.last_phone)
     }
     coming: dict[int, ComingVowel] = {}
     vowel, free = -1, FrozenDict[str, float]()

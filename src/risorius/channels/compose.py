@@ -57,12 +57,12 @@ def compose(
                 segments.append(built)
             else:
                 movements.append(built)
-    kept = sorted(
+    performed = sorted(
         (m for m in movements if m.channel not in without), key=lambda m: (m.start, m.channel, m.layer)
     )
     score = Score(
         inputs.duration,
-        tuple(kept),
+        tuple(performed),
         () if "lips" in without else tuple(segments),
         settings=settings or BlendSettings(),
         text=inputs.utterance.text if inputs.utterance else "",

@@ -45,15 +45,15 @@ def _posture(inputs: ChannelInputs) -> Iterator[Movement]:
 
 
 def _placed(display: Display, duration: float) -> Display:
-    found = find_emotion(display.emotion)
+    emotion = find_emotion(display.emotion)
     start = 0.0 if display.start is None else display.start
     end = duration if display.end is None else display.end
     if not 0.0 <= start < end:
         raise InputError(
-            f"emotion {found.name}: from {start:g} to {end:g} s is not a span; expected 0 <= start < end"
+            f"emotion {emotion.name}: from {start:g} to {end:g} s is not a span; expected 0 <= start < end"
         )
-    intensity = check_intensity(found.name, display.intensity)
-    priority = found.priority_at(intensity) if display.priority is None else display.priority
+    intensity = check_intensity(emotion.name, display.intensity)
+    priority = emotion.priority_at(intensity) if display.priority is None else display.priority
     return Display(emotion_key(display.emotion), intensity, start, end, priority)
 
 
@@ -64,23 +64,23 @@ def _movements(
 
     One that lasts as long as the clip is not released in it: the last pause is stillness.
     """
-    found = find_emotion(display.emotion)
+    emotion = find_emotion(display.emotion)
     first, last = float(display.start or 0.0), float(display.end or 0.0)
-    after = found.offset + _BEYOND if display.end == duration else 0.0
+    after = emotion.offset + _BEYOND if display.end == duration else 0.0
     edges = {t for d in displays for t in (d.start, d.end) if t is not None and first < t < last}
     for start, end, targets in _parts(display.emotion, [first, *sorted(edges), last], displays):
         yield Movement(
             "emotion",
             start,
             end + after if end == last else end + _OVERLAP,
-            found.onset,
-            found.offset if end == last else _OVERLAP,
+            emotion.onset,
+            emotion.offset if end == last else _OVERLAP,
             targets,
-            id=f"emotion.{number}.{found.name}" + (f"@{start:.3f}" if start > first else ""),
-            layer=f"{number}.{found.name}",
+            id=f"emotion.{number}.{emotion.name}" + (f"@{start:.3f}" if start > first else ""),
+            layer=f"{number}.{emotion.name}",
             priority=display.priority,
-            function=found.function,
-            cause=Cause("emotion.display", f"{found.name} {display.intensity:g}", "option"),
+            function=emotion.function,
+            cause=Cause("emotion.display", f"{emotion.name} {display.intensity:g}", "option"),
         )
 
 
@@ -98,11 +98,11 @@ def _parts(
 
 def _company(displays: Sequence[Display], time: float) -> Mapping[str, float]:
     """Return the emotions displayed at a time with their intensities."""
-    found: dict[str, float] = {}
+    intensities: dict[str, float] = {}
     for d in displays:
         if d.start is not None and d.end is not None and d.start <= time < d.end:
-            found[d.emotion] = max(found.get(d.emotion, 0.0), d.intensity)
-    return found
+            intensities[d.emotion] = max(intensities.get(d.emotion, 0.0), d.intensity)
+    return intensities
 
 
 # The rise and fall of what is felt: facts: science/05, section 5.5.

@@ -155,9 +155,9 @@ def _aimed(event: Event, inputs: ChannelInputs, numbers: CounterRng) -> Angles:
     name = str(event.rule.effect.look)
     if name == AWAY:
         return _away(inputs, numbers.under(event.rule.id, event.unit.phrase, event.unit.number))
-    found = markup_table().gaze[name]
+    direction = markup_table().gaze[name]
     scale = event.rule.effect.size
-    return scale * found.pitch, scale * found.yaw
+    return scale * direction.pitch, scale * direction.yaw
 
 
 def _away(inputs: ChannelInputs, numbers: CounterRng) -> Angles:
@@ -183,7 +183,7 @@ def _averted(
 
     None begins during a smile, after the last word or near the end of a sentence. Other looks cut them short.
     """
-    found = list(looks)
+    glances = list(looks)
     looks = sorted([*looks, *_smiles(inputs), *_silence(inputs)], key=lambda k: k.start)
     time = numbers.uniform("first aversion") * _aversion(inputs, 0.0).gap[0] / _often(inputs, 0.0)
     for number in count():
@@ -200,13 +200,13 @@ def _averted(
             time += _FORESIGHT + _SHORTEST
             continue
         if rival is None and end < inputs.duration:
-            found.append(Glance(time, end, direction, Cause(AVERSION, "habit")))
+            glances.append(Glance(time, end, direction, Cause(AVERSION, "habit")))
         last = end if rival is None else rival.end
         if rival is not None and rival.direction == LISTENER:
             time = last + _SHORTEST
             continue
         time = last + max(_around(habit.gap, own, "gap"), _SHORTEST) / _often(inputs, last)
-    return sorted(found, key=lambda k: k.start)
+    return sorted(glances, key=lambda k: k.start)
 
 
 def _often(inputs: ChannelInputs, time: float) -> float:

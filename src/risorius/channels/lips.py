@@ -245,14 +245,14 @@ def _held(start: float, end: float, shape: PhoneShape) -> tuple[float, float]:
 def _phrase_final_phones(utterance: Utterance) -> frozenset[int]:
     """Return the vowels of the last syllable before each pause that ends a phrase."""
     ends = {p.start for p in utterance.pauses if p.kind is not PauseKind.HESITATION}
-    found: set[int] = set()
+    finals: set[int] = set()
     vowel = -1
     for index, phone in enumerate(utterance.phones):
         if phone.stress >= 0:
             vowel = index
         if vowel >= 0 and phone.end in ends:
-            found.add(vowel)
-    return frozenset(found)
+            finals.add(vowel)
+    return frozenset(finals)
 
 
 register("lips", 60.0, lips)

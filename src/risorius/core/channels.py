@@ -75,6 +75,6 @@ def channel_timing(name: str) -> ChannelTiming:
     """Return the default timing of a channel; raise ParameterError if it has none."""
     timing = CHANNELS.get(name).timing if name in CHANNELS else None
     if timing is None:
-        timed = [known for known in CHANNELS if CHANNELS.get(known).timing is not None]
+        timed = [channel for channel in CHANNELS if CHANNELS.get(channel).timing is not None]
         raise ParameterError(unknown("channel with timing", name, timed))
     return timing

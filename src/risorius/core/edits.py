@@ -217,17 +217,17 @@ def _keys(score: Score, edit: Keys) -> Score:
         raise InputError(
             f"keys of {edit.parameter} lie outside the clip; expected times from 0 to {score.duration:g} s"
         )
-    rest = _undrawn(score, names)
+    others = _undrawn(score, names)
     shapes = dict.fromkeys(names, edit.shapes) if edit.shapes else {}
     curve = ManualCurve(dict.fromkeys(names, edit.keys), Cause(BY_HAND, "drawn"), edit.replaces, shapes)
-    return replace(score, manual=(*rest, curve))
+    return replace(score, manual=(*others, curve))
 
 
 def _clear(score: Score, edit: ClearKeys) -> Score:
-    rest = _undrawn(score, [p.name for p in parameters_named(edit.parameter)])
-    if rest == score.manual:
+    others = _undrawn(score, [p.name for p in parameters_named(edit.parameter)])
+    if others == score.manual:
         raise InputError(f"no curve is drawn by hand for '{edit.parameter}'")
-    return replace(score, manual=rest)
+    return replace(score, manual=others)
 
 
 def _undrawn(score: Score, names: Collection[str]) -> tuple[ManualCurve, ...]:
@@ -267,10 +267,10 @@ def _by_place(m: Movement) -> str:
     return ".".join(part for part in (m.channel, m.layer) if part) + f"@{m.start:.3f}"
 
 
-def _distinct(wanted: list[str], existing: set[str]) -> Iterator[str]:
+def _distinct(names: list[str], existing: set[str]) -> Iterator[str]:
     seen: Counter[str] = Counter()
     taken = set(existing)
-    for name in wanted:
+    for name in names:
         seen[name] += 1
         number, own = seen[name], name
         while number > 1 and (own := f"{name}#{number}") in taken:

@@ -23,6 +23,6 @@ def parse_fps(text: str | float | Fraction) -> Fraction:
         raise InputError(f"fps '{shown}' is not a number; expected e.g. 30, 25 or 24000/1001") from None
     if not 0 < fps <= MAX_FPS:
         # A whole number may have more digits than Python writes.
-        given = text if abs(fps) < 10**40 else "a number of many digits"
-        raise InputError(f"fps = {given} is out of range; expected more than 0 and at most {MAX_FPS}")
+        shown_fps = text if abs(fps) < 10**40 else "a number of many digits"
+        raise InputError(f"fps = {shown_fps} is out of range; expected more than 0 and at most {MAX_FPS}")
     return fps

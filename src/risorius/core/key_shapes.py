@@ -52,9 +52,11 @@ def _stretch(ends: Array, shape: KeyShape, following: KeyShape) -> Array:
     leaving = straight if shape.after is None else _within(shape.after, span)
     arriving = -straight if following.before is None else _within(following.before, span)
     share = np.linspace(0.0, 1.0, int(min(max(np.ceil(span / _STEP), 8), _MOST)) + 1)[1:, None]
-    rest = 1.0 - share
-    bent = 3.0 * rest**2 * share * (ends[0] + leaving) + 3.0 * rest * share**2 * (ends[1] + arriving)
-    points = rest**3 * ends[0] + bent + share**3 * ends[1]
+    remaining = 1.0 - share
+    bent = 3.0 * remaining**2 * share * (ends[0] + leaving) + 3.0 * remaining * share**2 * (
+        ends[1] + arriving
+    )
+    points = remaining**3 * ends[0] + bent + share**3 * ends[1]
     points[-1] = ends[1]
     return np.asarray(points)
 

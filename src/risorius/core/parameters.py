@@ -139,8 +139,8 @@ def _build() -> tuple[Parameter, ...]:
     ]
     for name, kind, group, unit, low, high, neutral in _OTHERS:
         seconds = _MIN_DURATION.get(group, 0.12)
-        rest = (None, DEFAULT_THRESHOLD, seconds, seconds)
-        rows.append(Parameter(name, name, "", kind, group, unit, low, high, neutral, *rest))
+        timing = (None, DEFAULT_THRESHOLD, seconds, seconds)
+        rows.append(Parameter(name, name, "", kind, group, unit, low, high, neutral, *timing))
     return tuple(rows)
 
 

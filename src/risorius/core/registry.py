@@ -74,10 +74,10 @@ def registrations(folder: Path, package: str, literals: int) -> Iterator[Registr
     Raises ValueError for anything else.
     """
     for file in sorted(folder.rglob("*.py")):
-        _, first, rest = file.read_text(encoding="utf-8").partition(_REGISTER)
+        _, first, others = file.read_text(encoding="utf-8").partition(_REGISTER)
         if first:
             module = ".".join((package, *file.relative_to(folder).with_suffix("").parts))
-            for statement in ast.parse(first + rest).body:
+            for statement in ast.parse(first + others).body:
                 yield _registration(module, statement, literals)
 
 

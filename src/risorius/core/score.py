@@ -76,9 +76,9 @@ def check_score(score: Score, like: Score | None = None) -> None:
     Movements that it shares with `like`, which has been checked, are not checked again one by one.
     """
     check_course(score)
-    known = set() if like is None else {id(m) for m in like.movements}
+    checked_movements = set() if like is None else {id(m) for m in like.movements}
     for m in score.movements:
-        if id(m) not in known:
+        if id(m) not in checked_movements:
             check_movement(m)
     # Segments of one phone share their mappings.
     checked: set[int] = set()

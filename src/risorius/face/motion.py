@@ -30,11 +30,11 @@ def between_frames(performance: Performance) -> Drive:
     """Return the curves of `performance` between its frames: straight lines, constant beyond the ends."""
     values, times = performance.values, performance.times
 
-    def drive(wanted: Array) -> Array:
-        after = np.clip(np.searchsorted(times, wanted, side="right"), 1, max(len(times) - 1, 1))
+    def drive(moments: Array) -> Array:
+        after = np.clip(np.searchsorted(times, moments, side="right"), 1, max(len(times) - 1, 1))
         if len(times) == 1:
-            return np.repeat(values, len(wanted), axis=0)
-        share = np.clip((wanted - times[after - 1]) / (times[after] - times[after - 1]), 0.0, 1.0)[:, None]
+            return np.repeat(values, len(moments), axis=0)
+        share = np.clip((moments - times[after - 1]) / (times[after] - times[after - 1]), 0.0, 1.0)[:, None]
         return np.asarray((1.0 - share) * values[after - 1] + share * values[after])
 
     return drive

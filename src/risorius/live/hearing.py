@@ -87,14 +87,14 @@ def _by_times(phrase: VoicedPhrase, audio: Audio, language: str) -> HeardPhrase:
 
 
 def _by_text(phrase: VoicedPhrase, audio: Audio, language: str) -> HeardPhrase:
-    text, rest = written(phrase.words) or phrase.text, ""
+    text, unspoken = written(phrase.words) or phrase.text, ""
     if phrase.is_open and not phrase.words and is_speakable(text):
         end = text_progress(audio, text, language)
-        text, rest = text[:end], text[end:]
+        text, unspoken = text[:end], text[end:]
     if not is_speakable(text):
         # All of it was said before: a breath.
-        return _unheard(phrase, rest)
-    return HeardPhrase(phrase, text.strip(), located(audio, text.strip(), language), rest)
+        return _unheard(phrase, unspoken)
+    return HeardPhrase(phrase, text.strip(), located(audio, text.strip(), language), unspoken)
 
 
 def _by_ear(phrase: VoicedPhrase, audio: Audio, language: str) -> HeardPhrase:
@@ -124,9 +124,9 @@ def texts_of(phrases: Sequence[HeardPhrase]) -> tuple[str, ...]:
     return tuple(phrase.text.strip() + " " if phrase.text.strip() else "" for phrase in phrases)
 
 
-def _unheard(phrase: VoicedPhrase, rest: str = "", fault: str = "") -> HeardPhrase:
+def _unheard(phrase: VoicedPhrase, unspoken: str = "", fault: str = "") -> HeardPhrase:
     silence = AlignedPhone(SILENCE, 0.0, phrase.duration, -1, 0.0)
-    return HeardPhrase(phrase, "", Located([silence], [], MODEL_LANGUAGE), rest, fault)
+    return HeardPhrase(phrase, "", Located([silence], [], MODEL_LANGUAGE), unspoken, fault)
 
 
 def _joined(phrases: Sequence[HeardPhrase], settings: Settings) -> Utterance:

@@ -33,8 +33,8 @@ def direction_of(target: str | Angles) -> Angles:
         names = markup_table().gaze
         if target.lower() not in names:
             raise InputError(unknown("direction", target, names))
-        found = names[target.lower()]
-        return found.pitch, found.yaw
+        angles = names[target.lower()]
+        return angles.pitch, angles.yaw
     try:
         pitch, yaw = (float(angle) for angle in target)
     except (TypeError, ValueError):

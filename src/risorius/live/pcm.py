@@ -80,13 +80,13 @@ class PcmDecoder:
         return self._decode(data[:whole])
 
 
-def samples_of(given: ArrayLike) -> Samples:
+def samples_of(values: ArrayLike) -> Samples:
     """Return one channel of sound, int16 or floats in -1..1, as int16 samples, shape (n,).
 
     Raises InputError for anything else.
     """
     try:
-        sound = np.asarray(given)
+        sound = np.asarray(values)
     except ValueError:
         sound = np.zeros((1, 1))
     if sound.ndim != 1 or (sound.dtype != np.int16 and sound.dtype.kind != "f"):

@@ -145,5 +145,5 @@ def hear_later(
 def _hear_after(
     performer: TurnPerformer, phrase: VoicedPhrase, language: str, before: Hearing | None
 ) -> HeardPhrase:
-    rest = "" if before is None else before.result().rest
-    return performer.hear(replace(phrase, text=rest + phrase.text), language)
+    unspoken = "" if before is None else before.result().rest
+    return performer.hear(replace(phrase, text=unspoken + phrase.text), language)

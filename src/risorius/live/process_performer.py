@@ -80,7 +80,7 @@ class ProcessPerformer:
     """
 
     def __init__(self, process: PerformerWorker) -> None:
-        self._process, self._here = process, LocalPerformer()
+        self.process, self._here = process, LocalPerformer()
 
     @property
     def threads(self) -> int:
@@ -108,7 +108,7 @@ class ProcessPerformer:
 
     def _answer(self, task: Callable[..., Answered], *arguments: object) -> Answered:
         try:
-            answer: Answered = self._process.ask(task.__name__, *arguments)
+            answer: Answered = self.process.ask(task.__name__, *arguments)
         except LostError:
             return task(*arguments)
         return answer
@@ -146,14 +146,14 @@ class Processes:
                 self._users.append((PerformerWorker(), WeakSet()))
 
 
-_processes = Processes()
+shared_processes = Processes()
 
 
 def warm_processes() -> None:
     """Start the process that performs for the next face: it loads for a second or more."""
-    _processes.warm()
+    shared_processes.warm()
 
 
 def process_performer() -> TurnPerformer:
     """Return a performer in a process that several faces share; it is started if there is none."""
-    return _processes.performer()
+    return shared_processes.performer()

@@ -122,10 +122,10 @@ class VoiceBuffer:
 
     def flush(self) -> list[VoicedPhrase]:
         """Return the waiting sound as a phrase, and start to count words anew."""
-        rest = [self._phrase(len(self._sound), len(self._words))] if len(self._sound) else []
+        phrases = [self._phrase(len(self._sound), len(self._words))] if len(self._sound) else []
         self._decoder, self._text, self._has_text, self._words, self._since = None, "", False, [], 0.0
         self._sound, self._pauses = np.zeros(0, np.int16), _PauseFinder()
-        return rest
+        return phrases
 
     def _whole(self) -> Iterator[VoicedPhrase]:
         if self._words:
@@ -162,8 +162,8 @@ class VoiceBuffer:
             for word in self._words[:words]
         )
         text = Known.TEXT if self._has_text else Known.NOTHING
-        known = Known.TIMES if self._words else text
-        return VoicedPhrase(self._sound[:samples], self._rate, known, self._text, timed)
+        timing = Known.TIMES if self._words else text
+        return VoicedPhrase(self._sound[:samples], self._rate, timing, self._text, timed)
 
 
 class _PauseFinder:
@@ -195,7 +195,7 @@ class _PauseFinder:
 
 def _as_written(words: Iterable[TimedWord], text: str) -> tuple[list[TimedWord], str]:
     """Return the words as they stand in a text, with the marks behind them; and the text after the last."""
-    found, low = [], text.casefold()
+    written, low = [], text.casefold()
     place = 0
     for word in words:
         start = low.find(word.text.strip().casefold(), place)
@@ -204,8 +204,8 @@ def _as_written(words: Iterable[TimedWord], text: str) -> tuple[list[TimedWord],
             while end < len(text) and not text[end].isspace() and not text[end].isalnum():
                 end += 1
             word, place = word._replace(text=text[start:end]), end
-        found.append(word)
-    return found, text[place:]
+        written.append(word)
+    return written, text[place:]
 
 
 def _timed_word(word: Sequence[object]) -> TimedWord:

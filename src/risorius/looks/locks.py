@@ -68,9 +68,9 @@ def _summed(parts: Array) -> Array:
 
 def _at_shares(values: Array, shares: Array, points: int) -> Array:
     """Return values (S, P, c), known at `shares` (S, P) from 0 to 1, interpolated at `points` even steps."""
-    strands, known = shares.shape
+    strands, samples = shares.shape
     even_shares = np.linspace(0.0, 1.0, points)
-    upper = (shares[:, None, :] < even_shares[None, :, None]).sum(axis=2).clip(1, known - 1)
+    upper = (shares[:, None, :] < even_shares[None, :, None]).sum(axis=2).clip(1, samples - 1)
     row = np.arange(strands)[:, None]
     low, high = shares[row, upper - 1], shares[row, upper]
     part = ((even_shares - low) / np.maximum(high - low, 1e-12))[..., None]

@@ -61,9 +61,9 @@ def grow_medium(anatomy: Anatomy, surface: Surface, colour: Array, looks: Looks)
     within = inside_hairline(anatomy, origin)
     curves = waved(curves, looks.wave, anatomy.unit)
     curves, lock = gather_locks(curves, length, _DRAWN * smoothstep(0.0, 18.0, within), rng, _LOCKS, _LATE)
-    kept = _in_place(anatomy, curves)
-    triangles, weights, curves = triangles[kept], weights[kept], curves[kept]
-    count, layer, lock, within = len(curves), layer[kept], lock[kept], within[kept]
+    in_place = _in_place(anatomy, curves)
+    triangles, weights, curves = triangles[in_place], weights[in_place], curves[in_place]
+    count, layer, lock, within = len(curves), layer[in_place], lock[in_place], within[in_place]
     curves, way = respaced(curves, POINTS)
     shade = (0.82 + 0.26 * rng.random(count)) * lock * (1.5 - 0.5 * smoothstep(0.0, 12.0, within))
     fine = 0.34 + 0.66 * smoothstep(0.0, 14.0, within)

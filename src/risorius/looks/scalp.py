@@ -90,10 +90,10 @@ def hair_shade(anatomy: Anatomy, style: str, lamps: FloatArray, albedo: float) -
 
     behind = _behind_hair(anatomy) if style == "medium" else np.zeros(len(skin))
     # Light comes to the skin through the hair, the more the lighter this is.
-    kept = 1.0 - albedo
-    covered = np.maximum(_BURIED * kept * _hidden(anatomy, style), behind)
-    cast = np.stack([0.85 * kept * ahead(lamp) for lamp in np.asarray(lamps, np.float64)], axis=1)
-    around = np.maximum(0.5 * kept * ahead(np.array([0.0, 1.0, 0.0])), np.exp(-4.0 * albedo) * behind)
+    absorbed = 1.0 - albedo
+    covered = np.maximum(_BURIED * absorbed * _hidden(anatomy, style), behind)
+    cast = np.stack([0.85 * absorbed * ahead(lamp) for lamp in np.asarray(lamps, np.float64)], axis=1)
+    around = np.maximum(0.5 * absorbed * ahead(np.array([0.0, 1.0, 0.0])), np.exp(-4.0 * albedo) * behind)
     return 1.0 - (1.0 - covered[:, None]) * (1.0 - cast), around
 
 

@@ -33,12 +33,12 @@ def in_use() -> Path:
 
 
 @lru_cache(maxsize=4)
-def _tried(wanted: Path | None) -> Path:
-    if wanted is not None and _is_writable(wanted):
-        return wanted
-    made = _temporary(wanted)
-    os.environ[VARIABLE] = str(made)
-    return made
+def _tried(folder: Path | None) -> Path:
+    if folder is not None and _is_writable(folder):
+        return folder
+    temporary = _temporary(folder)
+    os.environ[VARIABLE] = str(temporary)
+    return temporary
 
 
 def folder() -> Path | None:
@@ -56,26 +56,26 @@ def folder() -> Path | None:
         return None
 
 
-def _is_writable(wanted: Path) -> bool:
+def _is_writable(folder: Path) -> bool:
     """Whether files can be made in a folder, which is made if it is missing; only trying tells."""
     try:
-        wanted.mkdir(parents=True, exist_ok=True)
-        tempfile.TemporaryFile(dir=wanted).close()
+        folder.mkdir(parents=True, exist_ok=True)
+        tempfile.TemporaryFile(dir=folder).close()
     except OSError:
         return False
     return True
 
 
-def _temporary(wanted: Path | None) -> Path:
-    """Return a folder that only this user reads and that is deleted at exit, with what `wanted` holds."""
-    made = Path(tempfile.mkdtemp(prefix="risorius-"))
-    atexit.register(shutil.rmtree, made, ignore_errors=True)
-    if wanted is not None:
+def _temporary(folder: Path | None) -> Path:
+    """Return a folder that only this user reads and that is deleted at exit, with what `folder` holds."""
+    temporary = Path(tempfile.mkdtemp(prefix="risorius-"))
+    atexit.register(shutil.rmtree, temporary, ignore_errors=True)
+    if folder is not None:
         with contextlib.suppress(OSError, shutil.Error):
-            shutil.copytree(wanted, made, dirs_exist_ok=True)
-    place = "there is no folder for a cache" if wanted is None else f"the cache '{wanted}' cannot be written"
+            shutil.copytree(folder, temporary, dirs_exist_ok=True)
+    place = "there is no folder for a cache" if folder is None else f"the cache '{folder}' cannot be written"
     warn(f"{place}: each start computes anew; set {VARIABLE} to a folder that can be written")
-    return made
+    return temporary
 
 
 @lru_cache(maxsize=1)
@@ -85,10 +85,10 @@ def built() -> dict[str, dict[str, str]] | None:
     `sources` is the digest of its sources, `kernels` has that of each kernel.
     """
     try:
-        found: dict[str, dict[str, str]] = json.loads((PACKAGED / INDEX).read_bytes())
+        digests: dict[str, dict[str, str]] = json.loads((PACKAGED / INDEX).read_bytes())
     except (OSError, ValueError):
         return None
-    return found
+    return digests
 
 
 def source_digest() -> str:
@@ -103,5 +103,5 @@ def source_digest() -> str:
 @lru_cache(maxsize=1)
 def sources() -> str:
     """Return `source_digest` of the sources that this process runs, found once."""
-    known = built()
-    return known["sources"]["all"] if known else source_digest()
+    digests = built()
+    return digests["sources"]["all"] if digests else source_digest()

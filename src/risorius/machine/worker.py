@@ -39,12 +39,12 @@ def receive(connection: socket.socket) -> Any:
 
 def _read(connection: socket.socket, length: int) -> bytearray:
     data = bytearray(length)
-    rest = memoryview(data)
-    while rest:
-        count = connection.recv_into(rest)
+    remaining = memoryview(data)
+    while remaining:
+        count = connection.recv_into(remaining)
         if not count:
             raise EOFError("the other process is gone")
-        rest = rest[count:]
+        remaining = remaining[count:]
     return data
 
 

@@ -216,21 +216,21 @@ def _union(hint: Any, arguments: tuple[Any, ...]) -> Converter:
 def _table(cls: type) -> Converter:
     hints = typing.get_type_hints(cls, include_extras=True)
     fields = {str(f.metadata.get("key", f.name)): f for f in dataclasses.fields(cls) if f.init}
-    known = {key: (f.name, converter(hints[f.name])) for key, f in fields.items()}
+    converters = {key: (f.name, converter(hints[f.name])) for key, f in fields.items()}
     missing, factory = dataclasses.MISSING, dataclasses.MISSING
     required = [key for key, f in fields.items() if f.default is missing and f.default_factory is factory]
 
     def read(value: object) -> object:
         if not isinstance(value, Mapping):
             raise _wrong(value, cls)
-        if not value.keys() <= known.keys():
-            raise _unknown_key(next(key for key in value if key not in known), fields)
+        if not value.keys() <= converters.keys():
+            raise _unknown_key(next(key for key in value if key not in converters), fields)
         for key in required:
             if key not in value:
                 raise _missing_key(key, hints[fields[key].name])
         values = {}
         for key, item in value.items():
-            name, convert = known[key]
+            name, convert = converters[key]
             try:
                 values[name] = convert(item)
             except MisfitError as misfit:
@@ -244,10 +244,10 @@ def _table(cls: type) -> Converter:
     return read
 
 
-def _unknown_key(key: str, known: Iterable[str]) -> MisfitError:
+def _unknown_key(key: str, keys: Iterable[str]) -> MisfitError:
     def tell(at: str, _syntax: Syntax) -> str:
         # The nearest is that of the key alone: what stands before it is alike in all.
-        return unknown("key", key, known).replace(f"'{key}'", f"'{at}'", 1)
+        return unknown("key", key, keys).replace(f"'{key}'", f"'{at}'", 1)
 
     return MisfitError(tell, key)
 
@@ -262,7 +262,7 @@ def _missing_key(key: str, hint: Any) -> MisfitError:
 
 def _mapping(hint: Any, keys: Any, inner: Any) -> Converter:
     convert = converter(inner)
-    known = typing.get_args(keys) if typing.get_origin(keys) is Literal else None
+    literals = typing.get_args(keys) if typing.get_origin(keys) is Literal else None
     frozen = typing.get_origin(hint) is Mapping  # tables are shared by all runs
 
     def read(value: object) -> object:
@@ -270,8 +270,8 @@ def _mapping(hint: Any, keys: Any, inner: Any) -> Converter:
             raise _wrong(value, hint)
         items = {}
         for key, item in value.items():
-            if known is not None and key not in known:
-                raise _unknown_key(key, known)
+            if literals is not None and key not in literals:
+                raise _unknown_key(key, literals)
             try:
                 items[key] = convert(item)
             except MisfitError as misfit:

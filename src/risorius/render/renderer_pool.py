@@ -67,14 +67,14 @@ class RendererPool:
     ) -> None:
         self.close()
 
-    def _enlarge(self, wanted: int) -> None:
-        """Have as many renderers as are `wanted`, up to `threads`: one for a single picture.
+    def _enlarge(self, count: int) -> None:
+        """Open up to `count` renderers, at most `threads`: one for a single picture.
 
         A clone may be made of one at work, since each picture writes anew all that is not shared.
         """
         if self._first is None:
             raise RuntimeError("the renderer is closed")
-        while self._count < min(wanted, self.threads):
+        while self._count < min(count, self.threads):
             self._idle.put(self._first.clone())
             self._count += 1
 

@@ -79,14 +79,14 @@ class SoftwareRenderer:
         InputError for a size that cannot be drawn, and for an unknown quality or style.
         """
         width, height = check_size(size)
-        for kind, name, known in (("quality", quality, QUALITIES), ("style", style, STYLES)):
-            if name not in known:
-                raise InputError(unknown(kind, name, known))
+        for kind, name, choices in (("quality", quality, QUALITIES), ("style", style, STYLES)):
+            if name not in choices:
+                raise InputError(unknown(kind, name, choices))
         self.size = (width, height)
         self._lights = lights.lighting()
         self._samples = QUALITIES[quality]
         self._draft = quality == "draft" and style == "realistic"
-        self._is_linear = self._samples == SIDE and style == "realistic"
+        self.is_linear = self._samples == SIDE and style == "realistic"
         if self._draft:
             model = thin_hair(model, _DRAFT_HAIRS)
         self.scene = HeadScene(model, self._lights.lamps, creased=not self._draft)
@@ -106,7 +106,7 @@ class SoftwareRenderer:
         iris = iris_image(*model.looks.iris)
         grain = np.zeros_like(noise_tile()) if self._draft else noise_tile()
         self._tables = Tables(diffuse_table(), grain, iris, cloth, *tones)
-        self._hair_views: HairViews | None = None
+        self.hair_views: HairViews | None = None
         self.look_from(self.camera)
         self._allocate()
 
@@ -118,9 +118,9 @@ class SoftwareRenderer:
         self._matrix = camera.matrix(width, height)
         self._least = 0.9 * camera.millimetres_per_sample(height)
         distance = math.dist(camera.eye, camera.target)
-        if self._hair_views is None or not self._hair_views.fit(distance, self._least):
+        if self.hair_views is None or not self.hair_views.fit(distance, self._least):
             views = HairViews(self.scene, distance, self._least)
-            self._hair_views = views if views.reliable else None
+            self.hair_views = views if views.reliable else None
 
     def _allocate(self) -> None:
         """Allocate the buffers that a picture is drawn with."""
@@ -133,7 +133,7 @@ class SoftwareRenderer:
             max(width * samples * samples, 0 if samples > SIDE else scene.skin_vertices)
         )
         self._facets = empty_facets(len(scene.triangles) if self._draft else 0)
-        count = len(scene.triangles) if self._is_linear else 0
+        count = len(scene.triangles) if self.is_linear else 0
         self._linear = empty_linear(count, len(scene.positions), scene.skin_vertices, width)
         centre, radius = scene.anatomy.sphere()
         direction, texels = self._lights.lamps[0, :3], DRAFT_SIZE if self._draft else SIZE
@@ -150,8 +150,8 @@ class SoftwareRenderer:
         other.scene = self.scene.clone()
         if self._diagram_paint is not None:
             other._diagram_paint = self._diagram_paint.clone()
-        if self._hair_views is not None:
-            other._hair_views = self._hair_views.clone(other.scene)
+        if self.hair_views is not None:
+            other.hair_views = self.hair_views.clone(other.scene)
         other._allocate()
         return other
 
@@ -198,7 +198,7 @@ class SoftwareRenderer:
     def _draw(self, frame: FaceFrame, out: ByteArray) -> None:
         scene = self.scene
         scene.check(frame)
-        views, solid = self._hair_views, slice(0, scene.mesh_vertices)
+        views, solid = self.hair_views, slice(0, scene.mesh_vertices)
         shown = views.seen(self._eye, frame.head_rotation) if views is not None else scene.all_hair
         pose = scene.pose(frame, self._eye, self._least, shown)
         project(scene.positions[solid], self._matrix, self._xy[solid], self._key[solid])
@@ -258,7 +258,7 @@ class SoftwareRenderer:
         if self._diagram_paint is None:
             if self._draft:
                 shade_draft(screen, mesh, light, pose, self._tables, self._batch, self._facets, out)
-            elif self._is_linear:
+            elif self.is_linear:
                 out[:] = self._empty
                 shade_linear(
                     screen, mesh, light, pose, self._tables, hair_pairs, self._batch, self._linear, out

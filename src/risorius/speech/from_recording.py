@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from os import PathLike
 
 from ..core.directions import Directions
@@ -16,6 +15,7 @@ from .alignment import align
 from .alignment.aligner import assembled
 from .alignment.timed_words import TimedWord, locate_in_words, written
 from .assembly.retime import is_timed
+from .input import LabelledRecording, Recording
 from .prosody import measured
 from .recordings.dictated import utterance_dictated
 from .recordings.labelled import PHONE_TIERS, WORD_TIERS, found_tier, utterance_of_labels
@@ -27,28 +27,6 @@ from .structure.accents import intone
 from .structure.lines import whole
 
 WEAKER = "there is no transcript: words are recognized from the sound, with errors; check them in a TextGrid"
-
-
-@dataclass(frozen=True, slots=True)
-class Recording:
-    """A recorded voice: the file `audio`, and what is known of its words.
-
-    `transcript`: the words; `script`: the marks, and the words if there is no transcript. Without either, the
-    words are recognized. `language` is that of the words, by default the script's, or English.
-    """
-
-    audio: str | PathLike[str]
-    transcript: str | None = None
-    script: Script | None = None
-    language: str | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class LabelledRecording:
-    """A recorded voice, the file `audio` (None for silence), and the TextGrid of its timed words."""
-
-    labels: str
-    audio: str | PathLike[str] | None = None
 
 
 def align_recording(
@@ -131,10 +109,10 @@ def _hear_timed(
     sound = read_recording(audio)
     progress("Aligning …")
     try:
-        found = locate_in_words(sound, words)
+        located = locate_in_words(sound, words)
     except InputError as error:
         raise error.at(Place(source)) from None
-    return measured(assembled(sound, written(words), found.phones, found.words, found.language))
+    return measured(assembled(sound, written(words), located.phones, located.words, located.language))
 
 
 def with_written_tones(utterance: Utterance, script: Script) -> Utterance:

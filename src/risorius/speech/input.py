@@ -9,10 +9,32 @@ from pathlib import Path
 from ..errors import InputError, Place
 from ..script import Script, parse_script, read_script
 from ..script.files import names_something, read_text
-from .from_recording import LabelledRecording, Recording
 
 LABELS_SUFFIX = ".textgrid"
 TRANSCRIPT_SUFFIXES = (".txt", ".lab")
+
+
+@dataclass(frozen=True, slots=True)
+class Recording:
+    """A recorded voice: the file `audio`, and what is known of its words.
+
+    `transcript`: the words; `script`: the marks, and the words if there is no transcript. Without either, the
+    words are recognized. `language` is that of the words, by default the script's, or English.
+    """
+
+    audio: str | PathLike[str]
+    transcript: str | None = None
+    script: Script | None = None
+    language: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class LabelledRecording:
+    """A recorded voice, the file `audio` (None for silence), and the TextGrid of its timed words."""
+
+    labels: str
+    audio: str | PathLike[str] | None = None
+
 
 SpeechSource = Script | Recording | LabelledRecording
 """A script that is to be spoken, or a recording with its known words."""

@@ -54,8 +54,8 @@ def decode(text: str) -> Request:
 
 def _first_number(text: str) -> int | None:
     """Return the number of a message that is not JSON but begins as the page's do: the page waits for it."""
-    found = _BEGINNING.match(text)
-    return int(found[1]) if found and int(found[1]) <= MOST_ID else None
+    number = _BEGINNING.match(text)
+    return int(number[1]) if number and int(number[1]) <= MOST_ID else None
 
 
 def _number(data: dict[str, Any]) -> int:

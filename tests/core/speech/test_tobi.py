@@ -1,6 +1,6 @@
 import pytest
 
-from risorius.core.speech.tobi import boundary_tone, is_intonational, pitch_accent
+from risorius.core.speech.tobi import boundary_tone, pitch_accent
 from risorius.errors import ParameterError
 
 
@@ -27,15 +27,8 @@ def test_accents_come_in_any_case(text: str, label: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "label", "intonational"),
-    [
-        ("LH%", "L-H%", True),
-        ("LL%", "L-L%", True),
-        ("h-h%", "H-H%", True),
-        ("L-", "L-", False),
-        ("%", "%", True),
-    ],
+    ("text", "label"),
+    [("LH%", "L-H%"), ("LL%", "L-L%"), ("h-h%", "H-H%"), ("L-", "L-"), ("%", "%")],
 )
-def test_boundaries_come_in_both_spellings(text: str, label: str, intonational: bool) -> None:
+def test_boundaries_come_in_both_spellings(text: str, label: str) -> None:
     assert boundary_tone(text) == label
-    assert is_intonational(label) == intonational

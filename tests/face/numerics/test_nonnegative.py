@@ -39,7 +39,7 @@ def test_it_does_not_depend_on_where_the_search_begins(seed: int) -> None:
 
 def test_changing_one_unknown_at_a_time_ends_at_the_same_place(monkeypatch: pytest.MonkeyPatch) -> None:
     _, _, normal, right = problem(7)
-    monkeypatch.setattr(nonnegative, "_search", nonnegative._search.declared.function)  # type: ignore[attr-defined]
+    monkeypatch.setattr(nonnegative, "search", nonnegative.search.declared.function)  # type: ignore[attr-defined]
     found = least_squares(normal, right, np.zeros(12))
     monkeypatch.setattr(nonnegative, "PATIENCE", -1)
     alone = least_squares(normal, right, np.zeros(12))

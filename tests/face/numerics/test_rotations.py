@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from risorius.face.numerics.rotations import about_axis, direction, forward_to, head_rotation, turned
+from risorius.face.numerics.rotations import about_axis, direction, forward_rows, head_rotation, turned
 from tests.profiles import examples
 
 degrees = st.floats(-60.0, 60.0)
@@ -20,15 +20,15 @@ def assert_rotation(matrix):
 @examples(30)
 def test_all_are_rotations(a, b, c):
     assert_rotation(head_rotation(a, b, c))
-    assert_rotation(forward_to(direction(a, b)))
+    assert_rotation(np.array(forward_rows(*direction(a, b))))
     assert_rotation(about_axis(direction(a, b), c))
 
 
 @given(degrees, degrees)
 @examples(30)
-def test_forward_to_takes_the_eye_to_its_target_without_torsion(pitch, yaw):
+def test_forward_rows_take_the_eye_to_its_target_without_torsion(pitch, yaw):
     target = direction(pitch, yaw)
-    rotation = forward_to(target)
+    rotation = np.array(forward_rows(*target))
     np.testing.assert_allclose(rotation @ [0.0, 0.0, 1.0], target, atol=1e-12)
     axis = np.array(
         [rotation[2, 1] - rotation[1, 2], rotation[0, 2] - rotation[2, 0], rotation[1, 0] - rotation[0, 1]]

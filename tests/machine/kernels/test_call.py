@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 
 from risorius.core.arrays import Array
-from risorius.face.contact.lids import _aim
-from risorius.face.head.coupled_muscles import _apply
+from risorius.face.muscles.activations import activate
 from risorius.face.muscles.jaw import turn_about
-from risorius.face.numerics.robust_fit import _leave
-from risorius.face.numerics.sparse import SparseRows, _times, without_fourth
+from risorius.face.numerics.robust_fit import subtract_moves
+from risorius.face.numerics.sparse import carry, without_fourth
+from risorius.face.skin.network import pull
 from risorius.looks.normals import face_normals, vertex_normals
 from risorius.machine.kernels.call import Kernel
 from risorius.render.camera import project
@@ -55,9 +55,9 @@ def test_what_a_kernel_is_not_declared_for_is_refused(arguments: tuple[Any, ...]
 
 
 def test_numbers_of_other_kinds_are_refused() -> None:
-    arrays = np.zeros((2, 3)), np.zeros(3), np.zeros(1), np.zeros(3)
-    with pytest.raises(TypeError, match=r"face\.contact\.lids\._aim"):
-        _aim(*arrays, "far", 0.0, 0.0, np.zeros((2, 3)))
+    entries = np.zeros(6, np.uint32), np.zeros(0, np.uint32), np.zeros(0)
+    with pytest.raises(TypeError, match=r"face\.skin\.network\.pull"):
+        pull(*entries, POINTS, "far", np.zeros((5, 4)))
 
 
 def test_tuples_of_other_lengths_are_refused() -> None:
@@ -86,13 +86,11 @@ def cases() -> dict[str, tuple[Any, list[Any]]]:
     faces = np.array([[0, 1, 2, 2], [2, 1, 3, 3], [3, 1, 4, 0]], np.int32)
     corners = POINTS[:, :3].astype(np.float32)
     starts, around = np.array([0, 1, 4, 6, 8, 9], np.int32), np.array([0, 0, 1, 2, 0, 1, 1, 2, 2], np.int32)
-    rows = SparseRows(
-        np.array([0, 2, 3], np.uint32), np.array([1, 4, 0], np.uint16), np.array([0.5, 2.0, -1.0])
-    )
-    firsts, seconds = np.array([0, 3], np.uint32), np.array([2, 1], np.uint32)
+    pairs, holding = np.array([[0, 3], [2, 1]], np.uint32), np.array([[1, 2]], np.uint32)
+    region = np.array([4, 0, 2], np.int32)
     return {
-        "links": (_apply, [firsts, seconds, np.array([0.5, 0.25]), RNG.random(5), np.zeros(5)]),
-        "products": (_times, [*rows, POINTS, np.zeros((2, 4))]),
+        "activations": (activate, [pairs, holding, np.array([0.4]), RNG.random((2, 5)), np.zeros((3, 7))]),
+        "sums": (carry, [region, RNG.normal(size=(6, 3)), RNG.normal(size=(6, 4)), np.zeros((3, 3)), POINTS]),
         "normals of faces": (face_normals, [corners, faces, np.zeros((3, 3), np.float32)]),
         "normals of vertices": (
             vertex_normals,
@@ -103,7 +101,7 @@ def cases() -> dict[str, tuple[Any, list[Any]]]:
             [corners, np.eye(4, dtype=np.float32)[:3], np.zeros((5, 2), np.int32), np.zeros(5, np.float32)],
         ),
         "result": (
-            _leave,
+            subtract_moves,
             [
                 RNG.normal(size=(4, 3, 2)),
                 RNG.normal(size=(4, 3)),

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from risorius.errors import RisoriusError
-from risorius.face.head.coupled_muscles import _apply
+from risorius.face.muscles.activations import activate
 from risorius.machine import cache_folder
 from risorius.machine.kernels import store
 from risorius.machine.kernels.build import import_all
@@ -70,11 +70,11 @@ def test_a_missing_numba_is_said_with_the_extra_that_brings_it(
     monkeypatch.setenv(cache_folder.VARIABLE, str(tmp_path))
     monkeypatch.setattr(importlib.util, "find_spec", lambda _: None)
     with pytest.raises(RisoriusError, match=re.escape("pip install 'risorius[compile]'")):
-        store.find(_apply.declared)
+        store.find(activate.declared)
 
 
 def test_an_installed_package_reads_no_sources(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    kernel = _apply.declared
+    kernel = activate.declared
     known = {"sources": {"all": "0123"}, "kernels": {kernel.name: "abcd"}}
     (tmp_path / cache_folder.INDEX).write_text(json.dumps(known))
     (tmp_path / f"{kernel.name}-abcd-{store.of_this_machine(kernel.wide)}.o").write_bytes(b"code")

@@ -31,7 +31,7 @@ def test_no_file_is_left_once_both_have_the_memory() -> None:
 def test_without_room_in_memory_the_slots_are_made_elsewhere(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(slots, "_IN_MEMORY", str(tmp_path / "missing"))
+    monkeypatch.setattr(slots, "IN_MEMORY", str(tmp_path / "missing"))
     monkeypatch.setattr(slots.tempfile, "gettempdir", lambda: str(tmp_path))
     mine = Slots(1, 5)
     assert mine.path.parent == tmp_path

@@ -11,7 +11,7 @@ from risorius.errors import SpeechWarning
 from risorius.languages import language_of
 from risorius.ports.speech.visemes import known_viseme
 from risorius.rules.articulation import is_known
-from risorius.speech.engines.espeak import EspeakEngine, _data
+from risorius.speech.engines.espeak import EspeakEngine, data_folder
 from risorius.speech.engines.espeak_events import render
 from risorius.speech.engines.mnemonics import as_ipa
 from risorius.speech.engines.voices import find_voice
@@ -64,7 +64,7 @@ def test_every_phoneme_of_the_language_has_lips(language: str, engine: EspeakEng
     assert len(names) > 60
     text = " ".join(f"[[{name}]]" for name in names)
     request = {"op": "speak", "text": text, "voice": find_voice(None, language, engine).key, "ipa": True}
-    answer, sound = engine._request(request | {"dictated": True}, len(text))
+    answer, sound = engine.request(request | {"dictated": True}, len(text))
     rendition = render(answer, np.frombuffer(sound, "<i2"), language_of(language))
     assert len({phone.symbol for phone in rendition.phones}) > 30
     assert rendition.guessed == ()
@@ -81,7 +81,7 @@ def test_an_unmapped_phone_is_warned_of(engine: EspeakEngine, monkeypatch: pytes
 
 def _inventory(language: str) -> set[str]:
     """Return the mnemonics of a language's phoneme table, with those of the tables that it extends."""
-    tables = _tables((_data() / "phontab").read_bytes())
+    tables = _tables((data_folder() / "phontab").read_bytes())
     index = {name: number for number, (name, _, _) in enumerate(tables)}
     codes: dict[int, str] = {}
 

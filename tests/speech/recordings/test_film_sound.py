@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from risorius.errors import InputError, Place
+from risorius.machine.workers import Worker
 from risorius.speech.recordings import film_sound
 from risorius.speech.recordings.film_sound import FilmSound, container_of
 from risorius.speech.recordings.recording import read_recording
@@ -110,9 +111,10 @@ def test_a_decoder_that_says_nothing_is_given_up(tmp_path: Path, monkeypatch: py
         FilmSound(path, "mov", Place(str(path)))
 
 
-def test_a_decoder_that_dies_is_told(tmp_path: Path) -> None:
-    path = film(tmp_path / "x.m4a", "aac", seconds=10.0)  # more than a socket holds
+def test_a_decoder_that_dies_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path, decoder = film(tmp_path / "x.m4a", "aac", seconds=10.0), Worker()  # more than a socket holds
+    monkeypatch.setattr(film_sound, "Worker", lambda: decoder)
     with FilmSound(path, "mov", Place(str(path))) as sound:
-        os.kill(sound._worker.pid, signal.SIGKILL)
+        os.kill(decoder.pid, signal.SIGKILL)
         with pytest.raises(InputError, match=r"x\.m4a: cannot be .*the decoder ended .*\(signal 9\)"):
             list(sound.blocks())

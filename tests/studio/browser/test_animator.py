@@ -126,7 +126,7 @@ def test_a_lane_is_muted_and_locked_by_its_buttons(timeline: Timeline) -> None:
     assert button("head muted").get_attribute("aria-pressed") == "true"
     assert timeline.page.get(turns) != before
     timeline.select(timeline.block("head."))
-    assert "muted" in timeline.explained("moves nothing")
+    assert "muted" in timeline.explained("has no effect")
     take = timeline.take
     button("head locked").click()
     timeline.changed(take)

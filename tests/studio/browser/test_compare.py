@@ -34,5 +34,5 @@ def test_the_same_settings_do_not_differ(performed: Page) -> None:
     performed.driver.find_element(By.ID, "compare").click()
     performed.wait("studio.store.get('other') !== null")
     assert performed.get(
-        "document.querySelector('#panel-compare').textContent.includes('Both are the same.')"
+        "document.querySelector('#panel-compare').textContent.includes('The two takes are the same.')"
     )

@@ -61,7 +61,7 @@ def test_what_a_project_replaces_can_be_put_back(performed: Page, tmp_path: Path
     open_panel(performed, "Project")
     performed.driver.find_element(By.CSS_SELECTOR, "#panel-project input[type=file]").send_keys(str(file))
     performed.wait("studio.store.get('source').script === 'Another file.'")
-    performed.wait("document.querySelector('#notice button')?.textContent === 'Put back'")
+    performed.wait("document.querySelector('#notice button')?.textContent === 'Restore'")
     performed.driver.find_element(By.CSS_SELECTOR, "#notice button").click()
     performed.wait("studio.store.get('take').made.source.script === studio.store.get('source').script")
     assert performed.get(CURVES) == before
@@ -134,4 +134,4 @@ def test_sessions_are_listed_named_copied_and_deleted(performed: Page) -> None:
     (copied,) = set(now) - set(known)
     performed.run(f"{button} button.click()", copied, "Delete")
     performed.wait(f"!document.querySelector('#sessions li[data-session={copied}]')")
-    assert "Put back" in performed.get("document.querySelector('#notice').textContent")
+    assert "Restore" in performed.get("document.querySelector('#notice').textContent")

@@ -5,11 +5,11 @@ from __future__ import annotations
 import asyncio
 import selectors
 from concurrent.futures import Executor, Future
+from contextlib import nullcontext
 from types import SimpleNamespace
 
 from risorius.studio.faces import pose_preview
 from risorius.studio.faces.pose_preview import PosePreview
-from risorius.studio.faces.solvers import Solvers
 from risorius.studio.session.session_files import SessionFiles
 from risorius.studio.wire import requests
 
@@ -45,13 +45,13 @@ class Leaping(asyncio.SelectorEventLoop):
 def test_a_dragged_dial_has_one_face_for_each_turn(monkeypatch, tmp_path):
     turns, sent = 12, []
     dial = SimpleNamespace(still=lambda values: None, moved=lambda values, seconds: None)
+    solvers = SimpleNamespace(lent=lambda settings: nullcontext())
 
     async def send(number):
         sent.append(number)
 
     async def drag():
-        page = PosePreview(AtOnce(), Solvers(), send)
-        page._dial, page._looks = dial, ("standard", None)
+        page = PosePreview(AtOnce(), solvers, send)
         for number in range(turns):
             await page.turn(number, requests.Dial(), SessionFiles(tmp_path))
             await asyncio.sleep(0.045)
@@ -61,5 +61,6 @@ def test_a_dragged_dial_has_one_face_for_each_turn(monkeypatch, tmp_path):
 
     stage = SimpleNamespace(packed=lambda kind, number, first, faces: number)
     monkeypatch.setattr(pose_preview, "stage_of", lambda head, age: stage)
+    monkeypatch.setattr(pose_preview, "PoseEditor", lambda solver: dial)
     with asyncio.Runner(loop_factory=Leaping) as runner:
         assert turns - 2 <= runner.run(drag()) <= turns + 4

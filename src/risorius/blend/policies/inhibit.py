@@ -70,8 +70,8 @@ class Inhibit:
             threshold = inputs.tuning.threshold[parameter]
             left = inputs.threshold_time(parameter, inputs.tuning.min_offset[parameter])
             right = inputs.threshold_time(parameter, inputs.tuning.min_onset[parameter])
-            known = dilated(self._known(channel, level, parameter), left, right)
-            free = difference(channel.above(parameter, threshold), known)
+            inhibited = dilated(self._known(channel, level, parameter), left, right)
+            free = difference(channel.above(parameter, threshold), inhibited)
             if inputs.limits is not None:
                 free = difference(free, inputs.limits.forbidden(channel, parameter, threshold))
             self._active[key] = self._where(channel, free, level)

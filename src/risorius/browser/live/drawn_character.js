@@ -6,7 +6,7 @@ import { driving, nodeOf } from "./risorius-live.js";
 /** @import {Frame} from "./risorius-live.js" */
 
 export class DrawnCharacter {
-  /** What the server's frames must have. */
+  /** The outputs that the server's frames must contain. */
   outputs = ["arkit", "rotations"];
   #renderer;
   #camera = new THREE.PerspectiveCamera(20, 1, 0.01, 20);
@@ -30,7 +30,7 @@ export class DrawnCharacter {
     return this.load(`head.glb?head=${encodeURIComponent(name)}`);
   }
 
-  /** Put a character on the stage in place of the one that is there. @param {string} address */
+  /** Replace the character on the stage. @param {string} address */
   async load(address) {
     const { scene: root } = await new GLTFLoader().loadAsync(address);
     this.#character?.removeFromParent();
@@ -40,7 +40,7 @@ export class DrawnCharacter {
     this.#aim(root);
   }
 
-  /** Draw a frame; null: the face as it is. @param {Frame | null} frame */
+  /** Draw a frame; null draws the current face again. @param {Frame | null} frame */
   show(frame) {
     const renderer = this.#renderer;
     const { clientWidth: width, clientHeight: height } = renderer.domElement;
@@ -55,7 +55,7 @@ export class DrawnCharacter {
     renderer.render(this.#scene, this.#camera);
   }
 
-  /** Look at the face: where the eyes are, or else at the upper end of all. @param {THREE.Object3D} root */
+  /** Point the camera at the eyes, or at the top of the model if it has none. @param {THREE.Object3D} root */
   #aim(root) {
     const box = new THREE.Box3().setFromObject(root);
     /** @param {"left" | "right"} side @returns {THREE.Vector3 | undefined} */

@@ -1,4 +1,4 @@
-/** The example page: a text box, a face, and what drives it. */
+/** The example page: a text box, a face and the controls that drive it. */
 
 import { graphics } from "../stage/graphics.js";
 import { DrawnCharacter } from "./drawn_character.js";
@@ -8,7 +8,7 @@ import { LiveFace } from "./risorius-live.js";
 /** @param {string} id @returns {any} */
 const $ = (id) => document.getElementById(id);
 const LIVE = "Live: type the next line while it speaks.";
-/** Why the server draws, where it does. */
+/** The reason that the status line gives when the server draws the pictures. */
 const REASONS = {
   card: "",
   coarse: " The server draws draft pictures.",
@@ -16,7 +16,7 @@ const REASONS = {
   none: " This browser has no WebGL 2: the server draws draft pictures.",
 };
 document.body.classList.toggle("embedded", new URLSearchParams(location.search).has("embedded"));
-// After the address's "#": a token, and settings as JSON, those of a studio that shows this page among them.
+// The address has a token and settings (JSON) after its "#"; a studio that shows this page passes its own settings.
 const given = new URLSearchParams(location.hash.slice(1));
 const token = given.get("token") ?? undefined;
 const { settings: known, heads } = await (await fetch("about.json")).json();
@@ -50,7 +50,7 @@ async function connected() {
   hear("closed", ({ code }) => {
     if (face !== made) return;
     face = null;
-    if (code !== 1000) tell(made.fault ?? "The server is gone. Say something to connect again.", true);
+    if (code !== 1000) tell(made.fault ?? "The connection to the server is closed. Say something to reconnect.", true);
   });
   tell("Connecting …");
   try {
@@ -95,7 +95,7 @@ $("character").addEventListener("change", async () => {
   const address = URL.createObjectURL(file);
   try {
     await stage.load(address);
-    tell(`${file.name} is on stage.`);
+    tell(`${file.name} is loaded.`);
   } catch {
     tell(`${file.name} cannot be read; expected a .glb or .vrm with ARKit's 52 shapes.`, true);
   } finally {

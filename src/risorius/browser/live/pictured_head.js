@@ -1,10 +1,10 @@
-/** A head of the server on the example page's stage, in the server's draft pictures: where no graphics card draws. */
+/** A head on the example page's stage, shown in the server's draft pictures if there is no graphics card. */
 
 import { Newest, fetchPicture, pictureQuery } from "../stage/server_pictures.js";
 /** @import {Frame} from "./risorius-live.js" */
 
 export class PicturedHead {
-  /** What the server's frames must have. */
+  /** The outputs that the server's frames must contain. */
   outputs = ["parameters"];
   #canvas;
   #context;
@@ -26,12 +26,12 @@ export class PicturedHead {
     this.#head = name;
   }
 
-  /** Characters of one's own are drawn by browsers alone. @returns {Promise<void>} */
+  /** Only browsers draw the user's own characters. @returns {Promise<void>} */
   async load() {
-    throw new Error("a character is drawn by the browser, which has no graphics card here");
+    throw new Error("characters need a graphics card, and this browser has none");
   }
 
-  /** Have a frame drawn; null: the face at rest. @param {Frame | null} frame */
+  /** Request the picture of a frame; null: of the face at rest. @param {Frame | null} frame */
   show(frame) {
     const { clientWidth: width, clientHeight: height } = this.#canvas;
     if (width === 0 || height === 0) return;
@@ -44,7 +44,7 @@ export class PicturedHead {
 
   /** @param {string} query */
   async #draw(query) {
-    // Where the server is gone, the page says so when it is spoken to.
+    // If the server cannot be reached, the page says so at the next line.
     const picture = await fetchPicture(query, this.#token).catch(() => null);
     if (!picture) return;
     const { clientWidth: width, clientHeight: height } = this.#canvas;

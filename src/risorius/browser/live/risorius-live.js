@@ -1,20 +1,20 @@
 /**
- * A live face in a page: it connects to `risorius serve`, plays the sound, and tells what the face does now.
+ * A live face in a page: it connects to `risorius serve`, plays the sound and returns the face's current frame.
  *
- * The sound is the clock: `frame()` is the frame whose sound is heard at this moment. The protocol is
+ * The sound is the clock: `frame()` returns the frame whose sound is playing now. The protocol is
  * described in docs/serve.md of Risorius. No dependencies.
  *
  * @example
  * const face = new LiveFace("ws://127.0.0.1:8766/live", { settings: { head: "mei" } });
- * await face.start(); // after a click, so that the browser lets it sound
+ * await face.start(); // call it after a click: browsers play no sound before one
  * face.say("Hello there. ");
  * const show = driving(gltf.scene); // any object of three.js whose morph targets have ARKit's names
  * renderer.setAnimationLoop(() => { show(face.frame()); renderer.render(scene, camera); });
  */
 
-/** Seconds of sound that wait in the page, so that it does not break off. */
+/** Seconds of sound that the page buffers, so that playback does not stall. */
 const WAITING = 0.12;
-/** Share of its duration by which a silent frame may be held longer while too little waits. */
+/** Share of its duration by which a silent frame may be extended while the buffer is low. */
 const SLOWER = 0.1;
 const HEADER = 32;
 
@@ -96,11 +96,11 @@ export class LiveFace extends EventTarget {
   }
 
   /**
-   * Add a piece of a voice made elsewhere, which is played instead of ours.
+   * Add a chunk of an external voice, which is played instead of the server's.
    *
    * @param {Samples} samples -1 to 1
    * @param {number} rate samples a second
-   * @param {{text?: string, words?: [string, number, number][]}} [about] what it says, as far as it is known:
+   * @param {{text?: string, words?: [string, number, number][]}} [about] the text of the chunk, if known:
    *   its text, or its words with their start and end in seconds since the voice began, or since `flush`
    */
   voice(samples, rate, about = {}) {
@@ -108,7 +108,7 @@ export class LiveFace extends EventTarget {
   }
 
   /**
-   * Look in a direction by name, or at [pitch, yaw] in degrees; null gives the looks back to the face.
+   * Look in a direction by name, or at [pitch, yaw] in degrees; null returns the gaze to the face's own control.
    * @param {string | [pitch: number, yaw: number] | null} target
    */
   look(target) {
@@ -116,7 +116,7 @@ export class LiveFace extends EventTarget {
     this.send("look", angles);
   }
 
-  /** End the last sentence, or the voice that waits for its end. */
+  /** Mark the end of the last sentence, or of the external voice. */
   flush() {
     this.send("flush");
   }
@@ -126,30 +126,30 @@ export class LiveFace extends EventTarget {
     this.send("feel", { emotion, intensity });
   }
 
-  /** Fall silent; `interrupted` tells what was not said. */
+  /** Stop speaking; the event `interrupted` contains the unspoken text. */
   interrupt() {
     this.send("interrupt");
     this.quiet();
   }
 
-  /** Hear a piece of what the other says, as of a microphone. @param {Samples} samples @param {number} rate */
+  /** Send a chunk of the other person's speech, for example from a microphone. @param {Samples} samples @param {number} rate */
   listen(samples, rate) {
     this.send("listen", { audio: packed(samples), rate });
   }
 
-  /** Let it say what has arrived, and end. */
+  /** End the session after speaking all text that has arrived. */
   close() {
     this.send("close");
   }
 
-  /** Hang up at once. */
+  /** Close the connection at once. */
   leave() {
     this.quiet();
     this.socket?.close();
     this.context?.close();
   }
 
-  /** Return the frame that is heard now; null before the first. */
+  /** Return the frame whose sound is playing now; null before the first. */
   frame() {
     const now = this.now() - (this.base ?? 0);
     while (this.frames.length > 1 && this.frames[1].time <= now) this.frames.shift();
@@ -183,7 +183,7 @@ export class LiveFace extends EventTarget {
     this.dispatchEvent(new CustomEvent(kind, { detail }));
   }
 
-  /** Take in a packed frame. @param {ArrayBuffer} buffer */
+  /** Unpack a frame and queue it. @param {ArrayBuffer} buffer */
   take(buffer) {
     const view = new DataView(buffer);
     const index = view.getUint32(4, true);
@@ -204,7 +204,7 @@ export class LiveFace extends EventTarget {
     this.frames.push(frame);
   }
 
-  /** Decide when the face's beginning was: frames must come before they are heard. @param {Frame} frame */
+  /** Set the start of the face's clock: frames must arrive before their sound plays. @param {Frame} frame */
   place(frame) {
     const now = this.now();
     let base = this.base === null || this.forgetting ? now + WAITING / 2 - frame.time : this.base;
@@ -228,7 +228,7 @@ export class LiveFace extends EventTarget {
     source.start(Math.max(0, (this.base ?? 0) + first / rate));
   }
 
-  /** Forget what is not heard yet. */
+  /** Drop all frames and sound that have not been played. */
   forget() {
     this.quiet();
     this.frame();
@@ -241,7 +241,7 @@ export class LiveFace extends EventTarget {
     this.sources.clear();
   }
 
-  /** Return the clock in seconds: what is heard now, where there is sound. */
+  /** Return the clock in seconds: the time of the sound being heard, if there is sound. */
   now() {
     if (this.context?.state !== "running") return performance.now() / 1000;
     return this.context.currentTime - (this.context.outputLatency || this.context.baseLatency || 0);
@@ -251,7 +251,7 @@ export class LiveFace extends EventTarget {
 /**
  * Return a function that shows a frame on an object of three.js (or null, which shows nothing).
  *
- * Morph targets are found by ARKit's names, or those of the output `rig`, in whatever case; the head and the
+ * Morph targets are matched by ARKit's names or those of the output `rig`, ignoring case; the head and the
  * eyes by the names of their nodes or bones.
  *
  * @param {any} root an Object3D

@@ -1,17 +1,17 @@
-/** The settings of a performance as controls: which there are, and in which groups, the catalogue says. */
+/** The settings of a performance as controls; the catalogue lists the settings and their groups. */
 
 import { button, check, choice, field, number, slider } from "../parts/fields.js";
 import { make, settled } from "../parts/dom.js";
 /** @import {Catalogue, ChoiceRow, Choices, SettingRow} from "../wire.js" */
 /** @import {Control} from "../types.js" */
 
-/** @typedef {(value: any) => void} Set hears what a setting is to be */
+/** @typedef {(value: any) => void} Set receives the new value of a setting */
 
 const WAIT = 250; // ms after the last movement of a slider
 
-// Settings whose values are codes that few know.
+// Settings whose values are codes; their names are shown, too.
 const CODED = ["language", "voice"];
-const OPEN = ["Voice", "Manner"]; // groups whose settings are seen at first
+const OPEN = ["Voice", "Manner"]; // groups that are open at first
 
 /** @type {Record<string, (setting: SettingRow, value: any, set: Set) => Control>} by the setting's `control` */
 const MAKERS = {
@@ -42,9 +42,9 @@ export function mountChoices(form, { store, actions }) {
 
 /**
  * Put settings into a form.
- * @param {HTMLElement} form @param {Catalogue} catalogue @param {Choices} choices those that hold
+ * @param {HTMLElement} form @param {Catalogue} catalogue @param {Choices} choices the current ones
  * @param {(key: string, value: any) => void} set
- * @param {string[] | null} only keys that are wanted, all where null
+ * @param {string[] | null} only keys to show; null shows all
  * @returns {{show: (choices: Choices) => void, row: (key: string) => HTMLElement | undefined}}
  */
 export function choiceRows(form, catalogue, choices, set, only = null) {
@@ -96,12 +96,12 @@ function makeChoice({ key, choices, optional, unset }, value, set) {
   return choice(options, { value, empty: optional ? unset : undefined, change });
 }
 
-/** What a code is called, with the code: "German (de)". @param {ChoiceRow} choice */
+/** Return the name of a code, with the code: "German (de)". @param {ChoiceRow} choice */
 function namedCode({ name, description }) {
   return description ? `${description} (${name})` : name;
 }
 
-/** What a choice is called: a number by its name, a code or a fraction as it is. @param {ChoiceRow} choice */
+/** Return the label of a choice: the name of a number; a code or a fraction unchanged. @param {ChoiceRow} choice */
 function titleOf({ name, value }) {
   return typeof value === "number" || /^[\d/]+$/.test(name) ? name : undefined;
 }
@@ -133,7 +133,7 @@ function makeText({ optional, unset }, value, set) {
   return Object.assign(box, { show });
 }
 
-/** Some of several, as buttons that stay pressed. @param {SettingRow} setting @param {any} value @param {Set} set */
+/** A choice of any number of items, as buttons that stay pressed. @param {SettingRow} setting @param {any} value @param {Set} set */
 function makeSeveral({ label, choices }, value, set) {
   /** @type {string[]} */
   let chosen = [...value];
@@ -163,13 +163,13 @@ function newSeed(act) {
   return button("Another seed", { title: "Perform again with other random blinks and glances", onclick: act });
 }
 
-/** Voices that speak; those named +… only change the timbre of another. @param {Catalogue} catalogue */
+/** Return the voices that speak; those named +… only change the timbre of another. @param {Catalogue} catalogue */
 function speaking(catalogue) {
   return catalogue.voices.filter(({ name }) => !name.startsWith("+"));
 }
 
 /**
- * Show the voices of the language that is chosen, and the one that is chosen in any case.
+ * Show the voices of the chosen language, and always the chosen voice.
  * @param {HTMLSelectElement} list @param {Catalogue} catalogue @param {Choices} choices
  */
 function showVoices(list, catalogue, { voice, language }) {

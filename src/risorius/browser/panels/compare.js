@@ -1,4 +1,4 @@
-/** Two settings side by side: the take, and the same line with what is chosen here, in step. */
+/** Two takes side by side and in step: the current one, and the same line with the settings chosen here. */
 
 import { button } from "../parts/fields.js";
 import { choiceRows } from "./choices.js";
@@ -30,8 +30,8 @@ const WAIT = 250;
 export function mountCompare(element, studio) {
   const { store, actions } = studio;
   /** @type {Record<string, any>} */
-  let other = {}; // what the second take has other than the first
-  let asked = 0; // how often a comparison was asked for or ended: what comes late is not wanted any more
+  let other = {}; // the second take's settings that differ
+  let asked = 0; // number of comparisons started or ended: an answer to an earlier one is dropped
   const form = make("div", { class: "stack" });
   const note = make(
     "p",
@@ -86,7 +86,7 @@ export function mountCompare(element, studio) {
     else end.hidden = store.get("other") === null;
   }
 
-  /** Show one head, also if the second is still on its way. */
+  /** Show one head, even if the second has not arrived yet. */
   function finish() {
     asked += 1;
     if (comparing) actions.stop();
@@ -95,7 +95,7 @@ export function mountCompare(element, studio) {
   }
 }
 
-/** What the second take has other than the first, in words. @param {Choices} other */
+/** Return the settings in which the second take differs, in words. @param {Choices} other */
 function labelOf(other) {
   const parts = Object.entries(other).map(
     ([key, value]) => `${spoken(key)}: ${[value ?? "own"].flat().join(", ") || "none"}`,
@@ -104,7 +104,7 @@ function labelOf(other) {
 }
 
 /**
- * Where the two differ most, by parameter.
+ * Return the parameters in which the two takes differ most.
  * @param {Take | null} take @param {Take | null} other @param {Catalogue} catalogue
  */
 function differences(take, other, catalogue) {
@@ -117,7 +117,7 @@ function differences(take, other, catalogue) {
     .filter(({ share }) => share > 0.005)
     .sort((a, b) => b.share - a.share)
     .slice(0, MOST_LISTED);
-  if (rows.length === 0) return [make("p", { class: "hint" }, "Both are the same.")];
+  if (rows.length === 0) return [make("p", { class: "hint" }, "The two takes are the same.")];
   const cells = rows.map(({ name, apart, time, unit }) =>
     make(
       "tr",
@@ -130,7 +130,7 @@ function differences(take, other, catalogue) {
   const head = make(
     "tr",
     {},
-    ...["Differs most in", "by", "at"].map((text) => make("th", { scope: "col" }, text)),
+    ...["Largest differences", "by", "at"].map((text) => make("th", { scope: "col" }, text)),
   );
   return [make("table", { class: "differences" }, make("thead", {}, head), make("tbody", {}, ...cells))];
 }

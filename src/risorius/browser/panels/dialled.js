@@ -1,10 +1,10 @@
-/** What dials there are, from the catalogue, and what each reads and changes in the face that is held. */
+/** The dials that the catalogue defines, with the value that each reads and changes in the dialled face. */
 
 import { spoken } from "../parts/dom.js";
 /** @import {Catalogue, EmotionRow, ParameterRow, UnitRow} from "../wire.js" */
 /** @import {DialledFace, Sides} from "../types.js" */
 
-/** A face at rest, as `Dial` of the wire has it. @returns {DialledFace} */
+/** Return a face at rest, in the form of the wire's `Dial`. @returns {DialledFace} */
 export function emptyFace() {
   return { values: {}, emotions: {} };
 }
@@ -44,7 +44,7 @@ function muscleDial({ name, base, side: own, low, high, neutral, number, unit },
 }
 
 /**
- * A unit by its side: one that has no sides is the same on both.
+ * Return the dial of an action unit; one without sides is the same on both.
  * @param {UnitRow} unit @param {Sides} side @returns {Dial}
  */
 function unitDial({ name, title, targets, approximate }, side) {
@@ -66,7 +66,7 @@ function emotionDial({ name, description }) {
 }
 
 /**
- * Reading and setting these names of a part of the face; what is at rest is left out.
+ * Return functions that read and set these names of a part of the face; values at rest are removed.
  * @param {"values" | "emotions"} part @param {string[]} names @param {number} neutral
  * @returns {Pick<Dial, "get" | "set">}
  */

@@ -2,8 +2,8 @@ import { told } from "../parts/dom.js";
 /** @import {DialledFace} from "../types.js" */
 
 /**
- * Sends the face that dials hold to the server: one request at a time, the newest face when the answer is there,
- * so that a slow machine is never behind by more than one.
+ * Sends the dialled face to the server: one request at a time, then the newest face,
+ * so that a slow machine is never more than one face behind.
  */
 export class Dialler {
   #studio;
@@ -12,7 +12,7 @@ export class Dialler {
   /** @type {Record<string, any> | null} a request of the wire */
   #waiting = null;
 
-  /** @param {import("../studio/studio.js").Studio} studio @param {(line: string) => void} said hears what could not be shown */
+  /** @param {import("../studio/studio.js").Studio} studio @param {(line: string) => void} said receives the reason if a face cannot be shown */
   constructor(studio, said) {
     this.#studio = studio;
     this.#said = said;

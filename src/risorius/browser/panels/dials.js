@@ -1,4 +1,4 @@
-/** Dials: a face held by hand, by muscle, action unit or emotion, one side or both; to be kept under a name. */
+/** Dials: set a face by muscle, action unit or emotion, on one side or both, and save it under a name. */
 
 import { button, check, slider } from "../parts/fields.js";
 import { fill, make, showFound, spoken } from "../parts/dom.js";
@@ -89,7 +89,7 @@ class Dials {
     this.#show();
   }
 
-  /** Hold another face. @param {DialledFace} face */
+  /** Set the dialled face. @param {DialledFace} face */
   #take(face) {
     this.#send(face);
     this.#show();
@@ -115,7 +115,7 @@ class Dials {
     return make("section", { class: "stack tight" }, heading, ...dials.map((dial) => this.#row(dial)));
   }
 
-  /** A dial with its name; a double click brings it to rest. @param {Dial} dial */
+  /** A dial with its name; a double click resets it. @param {Dial} dial */
   #row(dial) {
     /** @param {number} value */
     const input = (value) => this.#send(dial.set(this.#face, value));

@@ -1,4 +1,4 @@
-/** The emotions of a line: over all of it, or over a stretch of the text. */
+/** The emotions of a line, over all of it or over part of the text. */
 
 import { button, choice, slider } from "../parts/fields.js";
 import { fill, make, settled } from "../parts/dom.js";
@@ -100,7 +100,7 @@ export function mountEmotions({ store, actions }, script) {
     element?.style.setProperty("--hue", String(hueOf(store.get("catalogue"), span.emotion)));
   }
 
-  /** Say at each emotion what it stands on. */
+  /** Show with each emotion the words that it covers. */
   function showPlaces() {
     const text = [...store.get("source").script];
     store.get("emotions").forEach((span, place) => {

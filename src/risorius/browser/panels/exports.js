@@ -1,4 +1,4 @@
-/** Exports: which files, how they look, and those under way. */
+/** Exports: choice of files, picture settings, and exports in progress. */
 
 import { button, check, field } from "../parts/fields.js";
 import { fill, make } from "../parts/dom.js";
@@ -54,7 +54,7 @@ class Exports {
     return box;
   }
 
-  /** What videos and pictures look like. @param {SettingRow[]} settings */
+  /** Return the settings of videos and pictures. @param {SettingRow[]} settings */
   #picture(settings) {
     const rows = settings.map((setting) => {
       const { element } = settingRow(setting, this.#look[setting.key], (value) => {
@@ -92,7 +92,7 @@ class Exports {
 }
 
 /**
- * An export under way: its progress, then its files.
+ * An export in progress: its progress bar, then its files.
  * @param {Studio} studio @param {number} job @param {string[]} suffixes
  */
 function jobOf({ connection, actions }, job, suffixes) {
@@ -127,7 +127,7 @@ function showProgress(bar, label, { stage, done, total }) {
   else bar.removeAttribute("value");
 }
 
-/** One archive where there are several files, and each file. @param {Download[]} files */
+/** Return a link to each file, and one to an archive if there are several. @param {Download[]} files */
 function linksOf(files) {
   if (files.length < 2) return files.map(fileLink);
   const path = files[0].path.replace(/[^/]*$/, "all.zip");

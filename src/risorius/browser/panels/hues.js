@@ -1,4 +1,4 @@
-/** A hue for each emotion, so that it looks the same wherever it is marked: they are spread over the circle. */
+/** A hue for each emotion, spread over the colour circle; an emotion has the same hue everywhere. */
 
 /** @param {import("../wire.js").Catalogue | null} catalogue @param {string} emotion @returns {number} degrees */
 export function hueOf(catalogue, emotion) {

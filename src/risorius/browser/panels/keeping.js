@@ -1,10 +1,10 @@
-/** Keeping the dialled face under a name, as a pose or as an emotion: its file is downloaded. */
+/** Save the dialled face under a name, as a pose or an emotion, and download its file. */
 
 import { button } from "../parts/fields.js";
 import { make } from "../parts/dom.js";
 import { downloadText } from "../parts/download.js";
 
-/** @param {import("../studio/studio.js").Studio} studio @param {() => object} face what is dialled now */
+/** @param {import("../studio/studio.js").Studio} studio @param {() => object} face returns the dialled face */
 export function mountKeeping(studio, face) {
   const name = make("input", {
     type: "text",

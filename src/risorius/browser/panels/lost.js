@@ -1,4 +1,4 @@
-/** Changes by hand that did not fit the line when its text changed: named, to be brought back or forgotten. */
+/** Manual edits that do not fit the line after its text changed: listed, to be restored or discarded. */
 
 import { button } from "../parts/fields.js";
 import { fill, make } from "../parts/dom.js";
@@ -6,11 +6,11 @@ import { fill, make } from "../parts/dom.js";
 /** @param {import("../studio/studio.js").Studio} studio @returns {HTMLElement} */
 export function mountLost({ store, actions }) {
   const list = make("ul", { class: "lost" });
-  const forget = button("Forget them", { id: "lost-forget", onclick: () => actions.letGo() });
+  const forget = button("Discard them", { id: "lost-forget", onclick: () => actions.letGo() });
   const element = make(
     "section",
-    { class: "stack tight", id: "lost", "aria-label": "Changes that did not fit" },
-    make("p", { class: "hint" }, "These changes by hand did not fit the new text:"),
+    { class: "stack tight", id: "lost", "aria-label": "Edits that do not fit" },
+    make("p", { class: "hint" }, "These manual edits do not fit the new text:"),
     list,
     make("div", { class: "row" }, forget),
   );
@@ -24,6 +24,6 @@ export function mountLost({ store, actions }) {
 
 /** @param {string} text @param {() => void} bringBack */
 function row(text, bringBack) {
-  const back = button("Bring back", { "aria-label": `Bring back: ${text}`, onclick: bringBack });
+  const back = button("Restore", { "aria-label": `Restore: ${text}`, onclick: bringBack });
   return make("li", {}, make("span", {}, text), back);
 }

@@ -1,4 +1,4 @@
-/** A line recorded with the microphone: it is sent like a recording that was chosen. */
+/** Record a line with the microphone, and send it like a chosen recording. */
 
 import { button } from "../parts/fields.js";
 import { told } from "../parts/dom.js";
@@ -8,12 +8,12 @@ const SUFFIXES = [
   ["ogg", ".ogg"],
   ["mp4", ".m4a"],
 ];
-/** As it was said: what makes calls clearer changes how a voice sounds. */
+/** No processing: filters that make calls clearer change the sound of a voice. */
 const PLAIN = { echoCancellation: false, noiseSuppression: false, autoGainControl: false };
 
 /**
- * The button that records, and stops.
- * @param {import("../studio/studio.js").Studio} studio @param {(file: File) => void} done hears the recording
+ * Return the button that starts and stops recording.
+ * @param {import("../studio/studio.js").Studio} studio @param {(file: File) => void} done receives the recording
  * @returns {HTMLElement}
  */
 export function recordButton({ clock, notify }, done) {
@@ -21,7 +21,7 @@ export function recordButton({ clock, notify }, done) {
   let recorder = null;
   let timer = 0;
   const record = button("Record", { id: "record", "aria-pressed": "false", onclick: () => (recorder ? recorder.stop() : begin()) });
-  record.title = "Record the line with the microphone; what is written is its transcript";
+  record.title = "Record the line with the microphone; the text in the box is its transcript";
   return record;
 
   async function begin() {

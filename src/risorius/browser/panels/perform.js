@@ -1,4 +1,4 @@
-/** What is performed, and how: the line or the recording, its emotions, and all settings. */
+/** The line or recording to perform, its emotions, and all settings. */
 
 import { button, choice, field } from "../parts/fields.js";
 import { make } from "../parts/dom.js";

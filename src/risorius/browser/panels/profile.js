@@ -1,4 +1,4 @@
-/** The numbers of the profile that speaks: edited, performed at once, and written as a profile file. */
+/** The numbers of the speaker's profile: edits are performed at once, and can be exported as a profile file. */
 
 import { button, field, number } from "../parts/fields.js";
 import { fill, make, settled, spoken } from "../parts/dom.js";

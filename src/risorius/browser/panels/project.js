@@ -1,4 +1,4 @@
-/** The project: its file, out and in; and exports. */
+/** The project: save and open its file; exports; sessions; sound delay. */
 
 import { button, field, number } from "../parts/fields.js";
 import { make } from "../parts/dom.js";
@@ -9,7 +9,7 @@ import { mountSessions } from "./sessions.js";
 /** @import {Studio} from "../studio/studio.js" */
 
 const NOTE =
-  "Everything is saved automatically. A project file restores this state exactly; it may also be dropped on the page.";
+  "Everything is saved automatically. A project file restores this state exactly; you can also drop it on the page.";
 
 /** @param {HTMLElement} element @param {import("../studio/studio.js").Studio} studio */
 export function mountProject(element, studio) {
@@ -58,8 +58,8 @@ function projectOf(studio) {
 }
 
 const LATE =
-  "What the browser knows of the sound's delay is taken into account. Where the lips are still ahead of what you hear, " +
-  "as with some wireless headphones, say by how much.";
+  "The delay that the browser reports is already included. If the lips still run ahead of the sound, " +
+  "as with some wireless headphones, enter the remaining delay.";
 
 /** @param {Studio} studio */
 function soundOf({ clock }) {
@@ -70,7 +70,7 @@ function soundOf({ clock }) {
   const late = number({ value: Math.round(1000 * clock.delay), low: 0, high: 1000, step: "10", change });
   late.id = "sound-delay";
   const hint = make("p", { class: "hint" }, LATE);
-  return make("section", { class: "stack" }, make("h2", {}, "Sound"), field("Late by, ms", late), hint);
+  return make("section", { class: "stack" }, make("h2", {}, "Sound"), field("Sound delay, ms", late), hint);
 }
 
 function begin() {

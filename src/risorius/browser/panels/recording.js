@@ -1,4 +1,4 @@
-/** A recording in place of a synthesized voice: dropped anywhere on the page, or chosen. */
+/** A recording in place of a synthesized voice: chosen, or dropped anywhere on the page. */
 
 import { button } from "../parts/fields.js";
 import { fill, make, there, told } from "../parts/dom.js";
@@ -24,7 +24,7 @@ export function mountRecording(studio) {
   const write = () => store.set({ source: { ...store.get("source"), script: recognized(store) } });
   const correct = button("Correct the words", {
     id: "recognized",
-    title: "Write the words that were recognized as the transcript, to be corrected",
+    title: "Copy the recognized words into the transcript to correct them",
     onclick: () => {
       write();
       there("script").focus();
@@ -49,7 +49,7 @@ export function mountRecording(studio) {
 }
 
 /**
- * The words that were recognized in the recording where no transcript is written; "" where there is one.
+ * Return the words recognized in the recording, or "" if a transcript is written.
  * @param {Store} store @returns {string}
  */
 function recognized(store) {
@@ -59,7 +59,7 @@ function recognized(store) {
   return heard ? (take.speech?.text ?? "") : "";
 }
 
-/** Send a recording to the session, and take it as what is performed. @param {import("../studio/studio.js").Studio} studio @param {File} file */
+/** Send a recording to the session, and make it the source to perform. @param {import("../studio/studio.js").Studio} studio @param {File} file */
 export async function upload({ store, notify, actions }, file) {
   const limit = store.get("catalogue")?.limits.recording ?? Infinity;
   if (file.size > limit) {
@@ -81,7 +81,7 @@ export async function upload({ store, notify, actions }, file) {
 }
 
 /**
- * A recording's own name: the server tells those of the same name apart by eight digits before the suffix.
+ * Return a recording's original name: the server adds eight digits before the suffix to make names unique.
  * @param {string} recording
  */
 function plainName(recording) {

@@ -1,4 +1,4 @@
-/** Rules: which fired and where, each to be switched off; and the profile's numbers. */
+/** Rules: list those that fired and their places, switch each on or off; and the profile's numbers. */
 
 import { button } from "../parts/fields.js";
 import { fill, make, showFound, spoken } from "../parts/dom.js";
@@ -6,14 +6,14 @@ import { mountProfile } from "./profile.js";
 /** @import {Studio} from "../studio/studio.js" */
 /** @import {FiredRule} from "../wire.js" */
 
-/** @typedef {{id: string, comment: string}} Known a rule, or what else made movements */
+/** @typedef {{id: string, comment: string}} Known a rule, or another cause of movements */
 
 /** @param {HTMLElement} element @param {import("../studio/studio.js").Studio} studio */
 export function mountRules(element, studio) {
   new Rules(element, studio);
 }
 
-const PLACES = 9; // that are shown of a rule before it is asked for all
+const PLACES = 9; // places of a rule that are shown at first
 
 class Rules {
   #studio;
@@ -43,7 +43,7 @@ class Rules {
     this.#store.watch(["catalogue", "take", "tab"], () => this.#update(profile));
   }
 
-  /** Nothing is asked of the server while the panel is not seen. @param {HTMLElement} profile */
+  /** While the panel is hidden, nothing is requested from the server. @param {HTMLElement} profile */
   async #update(profile) {
     const take = this.#store.get("take");
     if (this.#store.get("tab") !== "rules" || !this.#store.get("catalogue")) return;
@@ -71,7 +71,7 @@ class Rules {
     this.#filter();
   }
 
-  /** The rules of the catalogue, and what else made movements, in order of their ids. */
+  /** Return the rules of the catalogue and other causes of movements, sorted by id. */
   #known() {
     /** @type {Map<string, Known>} */
     const rules = new Map(this.#store.get("catalogue").rules.map((rule) => [rule.id, rule]));
@@ -108,7 +108,7 @@ class Rules {
     return this.#store.get("choices").rules_off ?? [];
   }
 
-  /** A button that leads to where a rule fired. @param {number} time @param {string} movement */
+  /** Return a button that goes to a place where a rule fired. @param {number} time @param {string} movement */
   #place(time, movement) {
     const { clock, actions } = this.#studio;
     const go = () => {
@@ -135,7 +135,7 @@ class Rules {
   }
 }
 
-/** A row of buttons; of many the first, and one that shows the others. @param {HTMLElement[]} places */
+/** Return a row of buttons: the first few, and one that shows the others. @param {HTMLElement[]} places */
 function folded(places) {
   const row = make("div", { class: "row tight" }, ...places.slice(0, PLACES));
   const rest = places.slice(PLACES);

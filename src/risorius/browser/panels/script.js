@@ -1,4 +1,4 @@
-/** The line that is said, with the stretches that have an emotion marked in it. */
+/** The text of the line, with the parts that have an emotion marked. */
 
 import { characterAt, movedSpans, unitAt } from "../parts/text.js";
 import { fill, make } from "../parts/dom.js";
@@ -46,7 +46,7 @@ export function mountScript({ store }) {
     return to > from ? { first: characterAt(text.value, from), last: characterAt(text.value, to) } : null;
   }
 
-  /** Marks lie behind the text, letter by letter: the same text with the stretches coloured. */
+  /** The marks are a copy of the text behind it, with the emotional parts coloured. */
   function showMarks() {
     const spans = store.get("emotions").filter((span) => span.first !== null);
     /** @param {number | null} place */

@@ -20,7 +20,7 @@ export function mountSessions(studio) {
     list,
   );
   let asked = 0;
-  let shown = ""; // rows are made anew only where they would be others: nothing goes from under the pointer
+  let shown = ""; // rows are rebuilt only if they change: no button disappears from under the pointer
   store.watch(["tab", "saved", "link"], () => {
     if (store.get("tab") === "project" && store.get("link") === "up" && store.get("saved") === "saved") show();
   });
@@ -67,7 +67,7 @@ export function mountSessions(studio) {
     });
     const remove = button("Delete", {
       disabled: entry.open,
-      title: entry.open ? "It is open in a tab" : null,
+      title: entry.open ? "Open in a tab" : null,
       "aria-label": `Delete the session “${called}”`,
       onclick: () => drop(session, called),
     });
@@ -82,10 +82,10 @@ export function mountSessions(studio) {
     leave();
     show();
     const back = async () => (await act(session, "put-back")) && show();
-    notify(`“${called}” is deleted.`, { label: "Put back", act: back });
+    notify(`Deleted “${called}”.`, { label: "Restore", act: back });
   }
 
-  /** The list is shown anew where nothing in it is used. */
+  /** Take the focus from the list, so that it can be refreshed. */
   function leave() {
     if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
   }

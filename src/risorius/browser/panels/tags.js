@@ -1,4 +1,4 @@
-/** Tags in a text that is read as plain would be spoken: that is said, with what can be done. */
+/** Warn that tags in a plain text would be spoken, and offer to read it as markup or to remove them. */
 
 import { button } from "../parts/fields.js";
 import { make } from "../parts/dom.js";
@@ -15,30 +15,30 @@ const ROOTS = [
 ];
 
 /** Whether a text has tags. @param {string} text */
-export function hasTags(text) {
+function hasTags(text) {
   return TAG.test(text);
 }
 
 /**
- * The text as markup, with its format: tags within words are SSML's.
+ * Return the text as markup, with its format: tags within words are SSML's.
  * @param {string} text @returns {Pick<Parts["source"], "script" | "format">}
  */
-export function asMarkup(text) {
+function asMarkup(text) {
   const format = ROOTS.find(([root]) => root.test(text))?.[1];
   return format ? { script: text, format } : { script: `<speak>${text}</speak>`, format: "ssml" };
 }
 
 /** @param {import("../studio/studio.js").Studio} studio @returns {HTMLElement} */
 export function mountTags({ store }) {
-  const read = button("Read them as markup", { id: "tags-read", onclick: () => write(asMarkup(text())) });
-  const remove = button("Take them out", {
+  const read = button("Read as markup", { id: "tags-read", onclick: () => write(asMarkup(text())) });
+  const remove = button("Remove the tags", {
     id: "tags-out",
     onclick: () => write({ script: text().replace(TAGS, ""), format: "text" }),
   });
   const element = make(
     "section",
     { class: "stack tight", id: "tags", "aria-label": "Tags" },
-    make("p", { class: "hint", role: "status" }, "The tags in this text are spoken as they stand."),
+    make("p", { class: "hint", role: "status" }, "This plain text contains tags: they would be spoken."),
     make("div", { class: "row" }, read, remove),
   );
   store.watch(["source"], () => {

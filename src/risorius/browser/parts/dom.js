@@ -7,7 +7,7 @@
  * @template {keyof HTMLElementTagNameMap} T
  * @param {T} tag
  * @param {Attributes} [given] attributes; `onclick` and the like are listeners, `class` is the class,
- *   what is false, null or undefined is left out; `value`, `checked`, `disabled` are set as properties
+ *   false, null and undefined are left out; `value`, `checked` and `disabled` are set as properties
  * @param {...Child} children
  * @returns {HTMLElementTagNameMap[T]}
  */
@@ -25,22 +25,22 @@ export function make(tag, given = {}, ...children) {
 }
 const PROPERTIES = new Set(["value", "checked", "disabled", "hidden", "indeterminate"]);
 
-/** The canvas' pen: every browser has one. @param {HTMLCanvasElement} canvas @param {CanvasRenderingContext2DSettings} [settings] */
+/** Return the canvas's 2D context, which every browser has. @param {HTMLCanvasElement} canvas @param {CanvasRenderingContext2DSettings} [settings] */
 export function contextOf(canvas, settings) {
   return /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d", settings));
 }
 
-/** An element that the page is known to have. @template {HTMLElement} [T=HTMLElement] @param {string} id @returns {T} */
+/** Return an element that the page always has. @template {HTMLElement} [T=HTMLElement] @param {string} id @returns {T} */
 export function there(id) {
   return /** @type {T} */ (document.getElementById(id));
 }
 
-/** An element within another by a selector; null if there is none. @param {Element} within @param {string} selector */
+/** Return the first element within another that matches a selector, or null. @param {Element} within @param {string} selector */
 export function foundIn(within, selector) {
   return /** @type {HTMLElement | null} */ (within.querySelector(selector));
 }
 
-/** What was thrown, in a line. @param {unknown} error @returns {string} */
+/** Return the message of a thrown value. @param {unknown} error @returns {string} */
 export function told(error) {
   return error instanceof Error ? error.message : String(error);
 }
@@ -52,30 +52,14 @@ export function fresh(prefix = "e") {
   return `${prefix}-${names}`;
 }
 
-/** Put other children into an element. @template {HTMLElement} E @param {E} element @param {...Child} children */
+/** Replace an element's children. @template {HTMLElement} E @param {E} element @param {...Child} children */
 export function fill(element, ...children) {
   element.replaceChildren(...children.filter((child) => child !== null && child !== false));
   return element;
 }
 
-/** Call at most once per animation frame, with the last arguments. @template {unknown[]} A @param {(...given: A) => void} call */
-export function perFrame(call) {
-  /** @type {A | null} */
-  let last = null;
-  return (/** @type {A} */ ...given) => {
-    if (last === null) {
-      requestAnimationFrame(() => {
-        const now = /** @type {A} */ (last);
-        last = null;
-        call(...now);
-      });
-    }
-    last = given;
-  };
-}
-
 /**
- * Call when nothing new has come for `wait` ms.
+ * Return a function that calls `call` once it has not been called itself for `wait` ms (debounce).
  * @template {unknown[]} A @param {(...given: A) => void} call @param {number} wait
  */
 export function settled(call, wait) {
@@ -87,8 +71,8 @@ export function settled(call, wait) {
 }
 
 /**
- * Show those of a list's rows that are wanted, and the groups that have one of them.
- * @param {HTMLElement} list of groups @param {string} row what rows are, as a selector
+ * Show the rows of a list that pass a test, and the groups that contain one.
+ * @param {HTMLElement} list of groups @param {string} row selector of the rows
  * @param {(row: HTMLElement) => boolean} wanted
  */
 export function showFound(list, row, wanted) {

@@ -1,4 +1,4 @@
-/** Fetching files of the server, or text of the page, into the user's folder. */
+/** Download files of the server, or text of the page. */
 
 import { make } from "./dom.js";
 

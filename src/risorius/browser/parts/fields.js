@@ -1,4 +1,4 @@
-/** Labelled controls: each returns its element; those that can be set from outside have a `show` method. */
+/** Labelled controls: each returns its element; controls that code can set have a `show` method. */
 
 import { fresh, make, spoken } from "./dom.js";
 /** @import {Attributes, Child} from "../types.js" */
@@ -15,10 +15,10 @@ export function field(label, control, { stacked = false, hint = "" } = {}) {
 }
 
 /**
- * A choice of one.
+ * A drop-down list.
  * @param {(string | {name: string, title?: string, description?: string})[]} options
  * @param {{value: any, empty?: string, change: (value: string | null) => void}} about
- *   `empty` is what choosing nothing is called; then null can be chosen
+ *   `empty` is the label of no choice, which gives null; without it one item is always chosen
  */
 export function choice(options, { value, empty, change }) {
   const list = make("select", { onchange: () => change(list.value === "" ? null : list.value) });
@@ -35,7 +35,7 @@ export function choice(options, { value, empty, change }) {
   return Object.assign(list, { show });
 }
 
-/** A box to tick. @param {string} label @param {{value: boolean, change: (on: boolean) => void, hint?: string}} about */
+/** A check box. @param {string} label @param {{value: boolean, change: (on: boolean) => void, hint?: string}} about */
 export function check(label, { value, change, hint = "" }) {
   const box = make("input", { type: "checkbox", checked: value, onchange: () => change(box.checked) });
   const element = make("label", { class: "check", title: hint || null }, box, make("span", {}, label));
@@ -47,9 +47,9 @@ export function check(label, { value, change, hint = "" }) {
 }
 
 /**
- * A number that is typed. Empty is null where `optional` is true.
+ * A number field. If `optional` is true, empty means null.
  * @param {{value: number | null, low: number | null, high: number | null, step?: number | string, optional?: boolean,
- *          placeholder?: string, change: (value: any) => void}} about `change` hears a number, or null
+ *          placeholder?: string, change: (value: any) => void}} about `change` receives a number, or null
  */
 export function number({ value, low, high, step = "any", optional = false, placeholder = "", change }) {
   const box = make("input", {
@@ -73,10 +73,10 @@ export function number({ value, low, high, step = "any", optional = false, place
 }
 
 /**
- * A slider with its number beside it, which can be typed too.
+ * A slider with a number field beside it.
  * @param {{label: string, value: number, low: number, high: number, step?: number,
  *          input: (value: number) => void, change?: (value: number) => void}} about
- *   `input` hears every movement, `change` where it comes to rest
+ *   `input` receives every value while it moves, `change` the final one
  */
 export function slider({ label, value, low, high, step = 0.01, input, change = () => {} }) {
   const bounds = { min: low, max: high, step };

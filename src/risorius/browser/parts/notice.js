@@ -1,4 +1,4 @@
-/** A line at the foot of the page for what went wrong or was done; it can be closed, and goes by itself. */
+/** A line at the foot of the page that reports an error or a result; it can be closed, and disappears by itself. */
 
 import { button } from "./fields.js";
 import { fill, make } from "./dom.js";
@@ -9,7 +9,7 @@ const STAYS_WITH_OFFER = 20_000;
 
 /**
  * @param {HTMLElement} element
- * @returns {(text: string, offer?: {label: string, act: () => void}) => void} says a line, with what can be done
+ * @returns {(text: string, offer?: {label: string, act: () => void}) => void} shows a line, with an optional button
  */
 export function mountNotice(element) {
   let timer = 0;

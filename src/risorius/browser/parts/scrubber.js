@@ -1,11 +1,11 @@
-/** A long slider that moves with the sound. */
+/** The playback slider. */
 
 import { make } from "./dom.js";
 
 /**
- * The browser's own slider is there for pointers, keys and screen readers, but is not seen: without a graphics card
- * to draw it anew takes as long as the head. What is seen is only shifted.
- * @param {string} label @param {(value: number) => void} input hears what the user chooses
+ * The browser's own slider serves pointers, keys and screen readers, but is invisible: without a graphics card,
+ * redrawing it takes as long as drawing the head. The visible parts are only moved.
+ * @param {string} label @param {(value: number) => void} input receives the value that the user chooses
  * @returns {HTMLElement & {show: (value: number, most: number, told: string) => void}}
  */
 export function scrubber(label, input) {

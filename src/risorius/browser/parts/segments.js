@@ -1,11 +1,11 @@
-/** Buttons side by side of which one is pressed. */
+/** Buttons side by side, one of them pressed. */
 
 import { button } from "./fields.js";
 import { make } from "./dom.js";
 
 /**
  * @param {Record<string, string>} options labels by name @param {string} label of the group
- * @param {string} value the one that is pressed @param {(name: string) => void} change
+ * @param {string} value name of the pressed one @param {(name: string) => void} change
  */
 export function segments(options, label, value, change) {
   /** @param {string} chosen */

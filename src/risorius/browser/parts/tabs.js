@@ -1,10 +1,10 @@
-/** Panels of which one is seen, chosen by tabs that arrow keys walk through. */
+/** Panels behind tabs, one visible; arrow keys go from tab to tab. */
 
 import { button } from "./fields.js";
 import { fresh, make } from "./dom.js";
 
 /**
- * @param {HTMLElement} element what to fill
+ * @param {HTMLElement} element the element to fill
  * @param {{name: string, label: string, panel: HTMLElement}[]} tabs
  * @param {{label: string, chosen: (name: string) => void}} about
  * @returns {(name: string) => void} opens a panel

@@ -11,8 +11,8 @@ export function unitAt(text, character) {
 }
 
 /**
- * Spans over characters after an edit of the text: they keep to their words, grow with what is typed within,
- * and go when all that they stood on is gone.
+ * Move spans of characters after an edit of the text: they stay on their words, grow with text typed inside,
+ * and disappear when all their text is deleted.
  * @template {{first: number | null, last: number | null}} T
  * @param {T[]} spans
  * @param {string} before @param {string} after

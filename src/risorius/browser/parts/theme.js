@@ -1,15 +1,15 @@
-/** Light or dark: as the system has it, until the user chooses. */
+/** Light or dark theme: the system's, until the user chooses. */
 
 const KEY = "risorius-theme";
 const system = matchMedia("(prefers-color-scheme: dark)");
 
-/** Show the theme that holds now, and follow the system's changes. */
+/** Apply the current theme, and follow the system's changes. */
 export function followTheme() {
   apply();
   system.addEventListener("change", apply);
 }
 
-/** Change to the other theme, and keep to it. */
+/** Switch to the other theme, and remember it. */
 export function switchTheme() {
   localStorage.setItem(KEY, theme() === "dark" ? "light" : "dark");
   apply();

@@ -1,29 +1,29 @@
 /**
  * Time of the performance: the sound's own while it plays, so that picture and sound cannot drift apart.
  *
- * The time that an audio element tells is that of what is heard: browsers take off what the sound's output tells them of
- * its latency (docs/studio.md says where). `AudioContext.outputLatency` is for Web Audio's clock; taken off here, it
- * would count twice. Headphones that tell less than they take are made up for by `delay`.
+ * An audio element's time is that of the sound being heard: browsers subtract the latency that the output reports
+ * (docs/studio.md lists the sources). `AudioContext.outputLatency` is for Web Audio's clock; subtracted here, it
+ * would count twice. `delay` compensates for headphones that report less than their real latency.
  *
- * Without a sound, and beyond its end, the page's time runs instead. `on("tick", call)` hears the time on
+ * Without a sound, and beyond its end, the page's time runs instead. `on("tick", call)` reports the time on
  * every animation frame on which it may have changed, `on("state", call)` changes of playing, speed and loop.
  */
 
-const JUMP = 0.08; // s by which the sound may differ from the time shown before that jumps to it
-const LONGEST = 1500; // ms for which sound and face are waited for before time runs without them
+const JUMP = 0.08; // difference in s between sound and shown time at which the shown time jumps
+const LONGEST = 1500; // ms to wait for sound and face before time runs without them
 const LATEST = 1; // s by which sound may be late
 const KEY = "risorius-sound-delay";
-const PULL = 0.15; // s within which a smaller difference is made up for, but for a third
+const PULL = 0.15; // s in which a smaller difference shrinks to a third
 
 export class Clock {
   #audio = new Audio();
   #silent = true;
-  #asked = 0; // when playing was asked for, where it waits for sound and face
+  #asked = 0; // when playing was requested, while it waits for sound and face
   /** @type {string | null} */
   #address = null;
   #time = 0;
   #seen = 0;
-  #begun = 0; // where the sound was started: before, nothing was heard
+  #begun = 0; // where the sound was started
   #delay = kept();
   #playing = false;
   #rate = 1;
@@ -31,7 +31,7 @@ export class Clock {
   #loop = null;
   #calls = { tick: new Set(), state: new Set() };
 
-  /** Whether the face of this time is there: time begins to run when it is, and the sound. */
+  /** Whether the face of this time has arrived: time starts when it and the sound have. */
   seen = () => true;
   /** Seconds of the take. */
   duration = 0;
@@ -53,12 +53,12 @@ export class Clock {
     return this.#playing;
   }
 
-  /** Where the sound is that is heard now, in seconds; null where none is. */
+  /** The position of the sound being heard, in seconds; null if there is no sound. */
   get sounding() {
     return this.#silent || this.#audio.paused ? null : this.#audio.currentTime;
   }
 
-  /** Seconds by which the sound is heard later than the browser knows; kept for this browser. */
+  /** Latency of the sound in seconds beyond what the browser reports; stored in this browser. */
   get delay() {
     return this.#delay;
   }
@@ -73,7 +73,7 @@ export class Clock {
     return this.#rate;
   }
 
-  /** [from, to] in seconds, or null: the stretch that is repeated. */
+  /** The loop range [from, to] in seconds, or null. */
   get loop() {
     return this.#loop;
   }
@@ -85,7 +85,7 @@ export class Clock {
   }
 
   /**
-   * Take up another take; time stays where it is, within the take.
+   * Switch to another take; the time stays, limited to the take.
    * @param {{duration: number, fps: number, sound: string | null}} take `sound` is an address
    */
   load({ duration, fps, sound }) {
@@ -99,7 +99,7 @@ export class Clock {
     this.#tell("tick");
   }
 
-  /** Have the sound here whole, so that it can be played from anywhere at once. @param {string | null} address */
+  /** Load the whole sound, so that it can start anywhere at once. @param {string | null} address */
   async #fetch(address) {
     this.#address = address;
     this.#silent = true;
@@ -116,7 +116,7 @@ export class Clock {
     this.#silent = false;
   }
 
-  /** Have the next take begin at its start; nobody is told before it is there. */
+  /** Start the next take at its beginning; listeners are called when it has arrived. */
   rewind() {
     this.#time = 0;
   }
@@ -146,7 +146,7 @@ export class Clock {
     requestAnimationFrame(() => this.#run());
   }
 
-  /** Let time run, where that is waited for and sound and face are there now. */
+  /** Start the time if playing was requested and sound and face have arrived. */
   begin() {
     if (!this.#playing || !this.#asked) return;
     if ((this.#ready && this.seen()) || performance.now() - this.#asked > LONGEST) this.#start();
@@ -157,7 +157,7 @@ export class Clock {
     return this.#address === null || (!this.#silent && !this.#audio.seeking && this.#audio.readyState >= 3);
   }
 
-  /** Time stands until sound and face can start together. */
+  /** Hold the time until sound and face can start together. */
   #await() {
     this.#asked = performance.now();
     this.#cue();
@@ -188,7 +188,7 @@ export class Clock {
     return this.#loop ?? [0, this.duration];
   }
 
-  /** Have the sound where the time is: not before it is to be heard, since it takes long in a long line. */
+  /** Seek the sound to the time, only when it starts: seeking takes long in a long line. */
   #cue() {
     this.#begun = this.#time;
     if (!this.#silent && this.#audio.currentTime !== this.#time) this.#audio.currentTime = this.#time;
@@ -200,7 +200,7 @@ export class Clock {
     if (this.#silent) return;
     this.#cue();
     this.#audio.playbackRate = this.#rate;
-    // Refused where nobody has touched the page yet: then time runs without sound.
+    // Browsers refuse this before the page is touched: then time runs without sound.
     this.#audio.play().catch(() => {});
   }
 
@@ -222,7 +222,7 @@ export class Clock {
   }
 
   /**
-   * Time by the sound where it plays; between its coarse reports, the time guessed from the last one.
+   * Return the time by the sound if it plays, interpolated between its coarse reports.
    * @param {number} guess @param {number} elapsed
    */
   #heard(guess, elapsed) {

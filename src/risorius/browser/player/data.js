@@ -1,4 +1,4 @@
-/** What the page holds: blocks of base64, most of them deflated (`page_faces.py` says how faces are packed). */
+/** The data embedded in the page: blocks of base64, most of them deflated (`page_faces.py` packs the faces). */
 
 import { bytesOf } from "./take.js";
 
@@ -14,7 +14,7 @@ export function inflated(name) {
   return new Response(stream).arrayBuffer();
 }
 
-/** Bytes of which all first ones of four come first, put in order. @param {ArrayBuffer} buffer */
+/** Put bytes in order that are stored by significance: all first bytes of the numbers, then all second ones. @param {ArrayBuffer} buffer */
 export function woven(buffer) {
   const from = new Uint8Array(buffer);
   const [bytes, count] = [new Uint8Array(from.length), from.length / 4];

@@ -1,4 +1,4 @@
-/** The faces of the performance: chunks about the playhead are inflated, the others rest. */
+/** The faces of the performance: chunks near the playhead are inflated, the others stay packed. */
 
 import { inflated } from "./data.js";
 /** @import {PlayedFacts} from "../types.js" */
@@ -49,7 +49,7 @@ export class PlayedFaces {
   }
 
   /**
-   * The points of a chunk's faces, and after them the heights of their wrinkles; each is the one before and a difference.
+   * Decode the points of a chunk's faces, then the heights of their wrinkles; each is stored as the difference to the previous one.
    * @param {number} number @param {Int16Array | null} base
    */
   async #points(number, base) {

@@ -1,10 +1,10 @@
-/** The timeline of the page: words and movements by channel; a click goes there and explains. */
+/** The timeline of the page: words and movements by channel; a click goes there and shows the explanation. */
 
 import { fill, make, spoken } from "../parts/dom.js";
 /** @import {PlayedBlock, PlayedFacts} from "../types.js" */
 
 /**
- * @param {HTMLElement} element @param {HTMLElement} why where explanations are shown
+ * @param {HTMLElement} element @param {HTMLElement} why element for the explanations
  * @param {PlayedFacts} facts of the page @param {import("./clock.js").Clock} clock
  */
 export function mountLanes(element, why, facts, clock) {

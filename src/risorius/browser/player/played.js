@@ -1,4 +1,4 @@
-/** Plays the performance that the page itself holds: head, sound, captions, timeline. */
+/** Plays the performance embedded in the page: head, sound, captions, timeline. */
 
 import { Clock } from "./clock.js";
 import { buildFigure } from "../stage/figure.js";
@@ -54,7 +54,7 @@ function frameNow() {
   return Math.min(Math.floor(clock.time * fps + 1e-6), facts.frames - 1);
 }
 
-/** The head; a coarse one where no graphics card draws. */
+/** The head; the coarse one if there is no graphics card. */
 async function figureOf() {
   const [head, shade, folds, skin] = await Promise.all(["head", "shade", "folds", "skin"].map(inflated));
   return buildFigure({ head: woven(head), shade, folds, skin }, facts.stage, graphics() !== "card");
@@ -79,5 +79,5 @@ function showFace(shown) {
   if (shown.show(a, b, share)) stage?.invalidate();
 }
 
-// For the curious, and for tests.
+// For tests, and for the browser's console.
 window.played = { clock, stage, figure, faces, facts };

@@ -1,6 +1,6 @@
 /**
- * A browser sets its sound up when something is heard for the first time, which takes long: nothing is played as soon
- * as the page is touched, so that the first line need not wait for it.
+ * Browsers set up their sound output at the first playback, which takes long: silence is played as soon
+ * as the page is touched, so that the first line does not wait.
  */
 
 const RATE = 8000;
@@ -14,7 +14,7 @@ export function wakeSoundWhenTouched() {
     const address = URL.createObjectURL(new Blob([new Uint32Array(HEADER), new Uint8Array(RATE / 5)]));
     const silence = new Audio(address);
     silence.addEventListener("ended", () => URL.revokeObjectURL(address));
-    // Where that is refused, the first line wakes it.
+    // If the browser refuses, the first line starts the output.
     silence.play().catch(() => {});
   };
   for (const name of names) document.addEventListener(name, wake, true);

@@ -1,8 +1,8 @@
 /**
- * A take as the page holds it: `TakeView` of the wire with its numbers decoded.
+ * A take in the page: the wire's `TakeView` with its numbers decoded.
  *
- * `curves` are Float32Array by parameter (those at rest throughout are missing), `rate` is frames per second
- * as a number, `waves[].peaks` are Int8Array (least, greatest, least, …). The rest is as the wire has it.
+ * `curves` are Float32Array by parameter (parameters at rest throughout are left out), `rate` is frames per second
+ * as a number, `waves[].peaks` are Int8Array (least, greatest, least, …). All else is as in the wire.
  */
 
 /** @import {SpeechView} from "../wire.js" */
@@ -33,7 +33,7 @@ export function takeOf(view) {
 }
 
 /**
- * The take after a change of it: another object, with the parts that are the same shared.
+ * Return the take after a change: a new object that shares the unchanged parts.
  * @param {ReturnType<typeof takeOf>} take @param {import("../wire.js").TakeChange} change
  */
 export function changedTake(take, change) {
@@ -61,12 +61,12 @@ export function changedTake(take, change) {
   };
 }
 
-/** The curves of an answer; null where one comes to rest. @param {Record<string, string>} curves */
+/** Decode the curves of an answer; null for a parameter that is now at rest. @param {Record<string, string>} curves */
 export function curvesOf(curves) {
   return new Map(Object.entries(curves).map(([name, text]) => [name, text === "" ? null : floatsOf(text)]));
 }
 
-/** What a take is made of: the server says all of it. @param {import("../wire.js").TakeInputs} made */
+/** Return the source and settings that a take was made from; the server sends all of them. @param {import("../wire.js").TakeInputs} made */
 function whole(made) {
   return /** @type {Written} */ (made);
 }

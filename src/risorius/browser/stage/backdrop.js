@@ -1,11 +1,11 @@
-/** What stands behind the head: the page's own colours of the stage, from top to bottom. */
+/** The background behind the head: the stage's colours in the page's style sheet, from top to bottom. */
 
 import * as THREE from "../vendor/three/three.module.min.js";
 
 const BANDS = 96; // more than there are shades between the two colours
 
 /**
- * Bands of colour that are cleared, not drawn: without a graphics card that is much the quickest.
+ * Bands of colour that are cleared, not drawn: by far the fastest way without a graphics card.
  */
 export class Backdrop {
   #colours;
@@ -24,10 +24,10 @@ export class Backdrop {
   /**
    * Fill a part of the picture.
    * @param {THREE.WebGLRenderer} renderer @param {number} x @param {number} width @param {number} height
-   * @param {(x: number, y: number, width: number, height: number) => void} cut confines what is cleared
+   * @param {(x: number, y: number, width: number, height: number) => void} cut limits the area to clear
    */
   paint(renderer, x, width, height, cut) {
-    // Places are rounded to whole points of the picture: bands that only touch would leave rows out between them.
+    // Coordinates are rounded to whole pixels: otherwise rows between bands would be left out.
     const over = Math.ceil(2 / renderer.getPixelRatio());
     this.#colours.forEach((colour, k) => {
       const [from, to] = [k, k + 1].map((at) => Math.round((at * height) / BANDS));
@@ -38,7 +38,7 @@ export class Backdrop {
   }
 }
 
-/** Red, green and blue of a colour of the style sheet, 0 to 1. @param {string} text */
+/** Return red, green and blue of a colour of the style sheet, 0 to 1. @param {string} text */
 function channels(text) {
   const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(1, 1).getContext("2d"));
   context.fillStyle = text;

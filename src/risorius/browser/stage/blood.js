@@ -1,7 +1,7 @@
 /**
- * Blood in the skin of a moving face, as `looks/perfusion.py` says it: where skin gathers it reddens, where it is
- * stretched it pales. The haemoglobin of a patch is kept while its area changes. Areas are those of the quads that the
- * drawn ones are a finer level of (`subdivide.py`), smoothed.
+ * Blood in the skin of a moving face, as in `looks/perfusion.py`: compressed skin reddens, stretched
+ * skin pales. The haemoglobin of a patch is constant while its area changes. Areas are those of the coarse quads
+ * before subdivision (`subdivide.py`), smoothed.
  */
 
 /** @import {StageBlood} from "../wire.js" */
@@ -22,7 +22,7 @@ export class Blood {
   /**
    * @param {Uint32Array} index the skin's triangles @param {Float32Array} points of the skin at rest
    * @param {{flesh: Float32Array, folded: Float32Array}} shown how blood shows at each vertex
-   * @param {StageBlood} blood what skin gains at least and at most, and how often areas are smoothed
+   * @param {StageBlood} blood the limits of the gain, and the number of smoothing steps
    */
   constructor(index, points, shown, { least, most, rounds }) {
     this.#shown = shown;
@@ -39,7 +39,7 @@ export class Blood {
 
   /**
    * @param {Float32Array} points of the skin, before the head turns
-   * @param {Float32Array} gained how much blood each vertex gains, of the usual: filled
+   * @param {Float32Array} gained output: gain of blood at each vertex, as a share of the usual
    */
   flow(points, gained) {
     const { flesh, folded } = this.#shown;
@@ -55,7 +55,7 @@ export class Blood {
     }
   }
 
-  /** The areas of the quads about each coarse vertex, and about those beside it. @param {Float32Array} points */
+  /** Return the summed area of the quads around each coarse vertex, smoothed over its neighbours. @param {Float32Array} points */
   #smoothed(points) {
     let [now, next] = [this.#areas, this.#between];
     const { starts, ends } = this.#beside;
@@ -78,7 +78,7 @@ export class Blood {
 }
 
 /**
- * Twice the area of a quad, by its diagonals; its corners begin at these numbers.
+ * Return twice the area of a quad, by its diagonals; the arguments are the indices of its corners' coordinates.
  * @param {Float32Array} points @param {number} a @param {number} b @param {number} c @param {number} d
  */
 function areaOf(points, a, b, c, d) {
@@ -94,13 +94,13 @@ function areaOf(points, a, b, c, d) {
   return Math.sqrt(x * x + y * y + z * z);
 }
 
-/** The corners of the coarse quads: each fine one begins with a corner. @param {Uint32Array} index */
+/** Return the corners of the coarse quads: each fine quad begins with one. @param {Uint32Array} index */
 function quadsOf(index) {
   return Uint32Array.from({ length: (4 * index.length) / FINE }, (_, k) => index[6 * k]);
 }
 
 /**
- * The four coarse vertices that each vertex lies between: one at a corner, two on an edge, four in a quad's midst.
+ * Return the four coarse vertices around each vertex: one (repeated) at a corner, two on an edge, four inside a quad.
  * @param {Uint32Array} index @param {number} count of vertices
  */
 function parentsOf(index, count) {
@@ -117,7 +117,7 @@ function parentsOf(index, count) {
 }
 
 /**
- * The vertices that share a quad with vertex v, itself too: `ends[starts[v]] … ends[starts[v + 1] - 1]`.
+ * Return the vertices that share a quad with each vertex v, v included: `ends[starts[v]] … ends[starts[v + 1] - 1]`.
  * @param {Uint32Array} quads @param {number} count
  */
 function besideOf(quads, count) {

@@ -1,9 +1,9 @@
-/** From where the head is looked at: named views, and turning and zooming by mouse, touch and keys. */
+/** The camera: named views, turning and zooming by mouse, touch and keys. */
 
 import * as THREE from "../vendor/three/three.module.min.js";
 /** @import {CameraState} from "../types.js" */
 
-// Centre in metres in the head's frame, height of what is seen in metres, turn and tilt in degrees.
+// Centre in metres in the head's frame, visible height in metres, turn and tilt in degrees.
 /** @type {Record<string, {label: string} & CameraState>} */
 export const VIEWS = {
   front: { label: "Front", centre: [0, 0.0, 0.03], height: 0.31, turn: 0, tilt: 0 },
@@ -13,7 +13,7 @@ export const VIEWS = {
 };
 
 const FIELD = 18; // degrees: long enough a lens to keep the face's proportions
-const NEAREST = 0.06; // m of height seen
+const NEAREST = 0.06; // m of visible height
 const FARTHEST = 0.9;
 const STEEPEST = 80; // degrees
 const TURN_PER_PIXEL = 0.4; // degrees
@@ -29,18 +29,18 @@ export class View {
   /** @type {(() => void)[]} */
   #calls = [];
 
-  /** @param {() => void} changed called when there is something else to see */
+  /** @param {() => void} changed called when the view changes */
   constructor(changed) {
     this.#changed = changed;
     this.#take(VIEWS.front);
   }
 
-  /** Hear when the view has become another. @param {() => void} call */
+  /** Listen for changes of the view. @param {() => void} call */
   onmove(call) {
     this.#calls.push(call);
   }
 
-  /** The name of the view, or null where it was turned, moved or zoomed since. */
+  /** The name of the view, or null if it was turned, moved or zoomed since. */
   get name() {
     const own = JSON.stringify(this.state);
     const name = Object.keys(VIEWS).find((known) => {
@@ -62,13 +62,13 @@ export class View {
     this.#moved();
   }
 
-  /** @param {number} factor on the height that is seen */
+  /** @param {number} factor on the visible height */
   zoom(factor) {
     this.#height = THREE.MathUtils.clamp(this.#height * factor, NEAREST, FARTHEST);
     this.#moved();
   }
 
-  /** @param {number} across @param {number} up shares of the height that is seen */
+  /** @param {number} across @param {number} up shares of the visible height */
   shift(across, up) {
     const right = new THREE.Vector3().setFromMatrixColumn(this.camera.matrix, 0);
     const above = new THREE.Vector3().setFromMatrixColumn(this.camera.matrix, 1);
@@ -76,7 +76,7 @@ export class View {
     this.#moved();
   }
 
-  /** What the project keeps. @returns {CameraState} */
+  /** The state to save with the project. @returns {CameraState} */
   get state() {
     const { x, y, z } = this.#centre;
     return { centre: [x, y, z], height: this.#height, turn: this.#turn, tilt: this.#tilt };
@@ -88,7 +88,7 @@ export class View {
   }
 
   /**
-   * Fit to a picture of this shape: the view's height is seen, or as much again across where it is narrow.
+   * Fit to a picture of this shape: the view's height is visible, or in a narrow picture the same length across.
    * @param {number} width @param {number} height
    */
   fit(width, height) {

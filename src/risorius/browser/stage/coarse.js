@@ -1,6 +1,6 @@
 /**
- * The coarse head, with an eighth of the triangles: what a browser without a graphics card draws of a file that it plays.
- * To such a machine a triangle smaller than a pixel costs what a larger one does.
+ * The coarse head, with an eighth of the triangles, for files played in a browser without a graphics card.
+ * There a triangle smaller than a pixel costs as much as a larger one.
  */
 
 import * as THREE from "../vendor/three/three.module.min.js";
@@ -10,15 +10,15 @@ import { fewer } from "./strands.js";
 
 /** @typedef {(points: Float32Array, index: Uint32Array, spots: Spots) => Few} Lighten */
 
-// mm within which the skin's vertices gather: fine round eyes and mouth, coarser by SLOPE from NEAR on.
+// Radius in mm within which vertices of the skin are merged: small at eyes and mouth, growing by SLOPE beyond NEAR.
 const [LEAST, MOST, NEAR, SLOPE] = [1.7, 9, 10, 0.38];
 const AROUND = 25; // mm from the midst of an eye within which they are
-const SUNK = 0.982; // how large the eyeballs are: lids of few triangles do not quite cover them when shut
+const SUNK = 0.982; // scale of the eyeballs: coarse lids do not quite cover them when shut
 const GATHERED = 1.5; // mm, in the mouth
 const [EYES, SMALL] = [["eye_left", "eye_right"], ["teeth_upper", "teeth_lower", "tongue"]];
 const ROUND = 1.6; // mm, on the eyeballs
 const [BESIDE, EDGE] = [2.6, 0.5]; // mm from the vertices of lids' margins, which lashes darken, up to which skin is finer still
-// The share of its strands that is drawn of hair, and how much wider they are: thinner than a pixel they glitter.
+// The share of the hair's strands that is drawn, and their widening: strands thinner than a pixel glitter.
 /** @type {Record<string, {share: number, wide: number}>} */
 const STRANDS = {
   brows: { share: 0.35, wide: 3 },
@@ -39,8 +39,8 @@ const LIGHTER = {
 
 /**
  * @param {string} name @param {Mesh} mesh at rest, mm
- * @param {Spots} spots where the skin is fine
- * @returns {Lighter | null} null where all triangles are drawn
+ * @param {Spots} spots points around which the skin stays fine
+ * @returns {Lighter | null} null points around which all triangles stay
  */
 export function lighterOf(name, mesh, spots) {
   const { attributes, index } = /** @type {any} */ (mesh.geometry);
@@ -51,7 +51,7 @@ export function lighterOf(name, mesh, spots) {
   return lighter;
 }
 
-/** A mesh with some of another's vertices, which stands in its place. */
+/** A mesh with some of another's vertices, drawn in its place. */
 export class Lighter {
   #full;
   #order;
@@ -69,7 +69,7 @@ export class Lighter {
     this.mesh = new THREE.Mesh(geometry, /** @type {any} */ ([full.material].flat()[0]).userData.quick ?? full.material);
     this.mesh.frustumCulled = false;
     this.mesh.matrixAutoUpdate = false;
-    this.mesh.matrix = full.matrix; // where the one is, the other is
+    this.mesh.matrix = full.matrix; // both have the same place
     this.mesh.renderOrder = full.renderOrder;
     for (const name of Object.keys(full.geometry.attributes)) this.take(name);
   }
@@ -91,7 +91,7 @@ export class Lighter {
   }
 }
 
-/** @param {THREE.BufferGeometry} geometry whose normals become those of its vertices where they are now */
+/** @param {THREE.BufferGeometry} geometry mesh whose normals are computed from its current vertices */
 export function shade(geometry) {
   const { attributes, index } = /** @type {any} */ (geometry);
   computeNormals(attributes.position.array, index.array, attributes.normal.array);
@@ -115,11 +115,11 @@ function reachFrom({ eyes, edges, mouth }) {
 }
 
 /**
- * Vertices gather round some of them, along the mesh's edges; triangles that join three such groups are left,
- * between the vertices in their midst. Vertices at the mesh's borders stay.
+ * Merge vertices into groups along the mesh's edges; triangles that join three groups remain,
+ * between the groups' central vertices. Vertices at the mesh's borders stay.
  * @param {ArrayLike<number>} points x, y, z, x, … @param {Uint32Array} index (3m,)
- * @param {(x: number, y: number, z: number) => number} reach how far a vertex gathers others, and is gathered, in points' units
- * @returns {{order: number[], index: Uint32Array}} the vertices that are kept, and the triangles between these
+ * @param {(x: number, y: number, z: number) => number} reach radius of each vertex's group, in the units of the points
+ * @returns {{order: number[], index: Uint32Array}} the the remaining vertices, and the triangles between them
  */
 export function coarser(points, index, reach) {
   const edges = edgesOf(index, points);
@@ -132,7 +132,7 @@ export function coarser(points, index, reach) {
   return compacted(found);
 }
 
-/** The vertices that triangles have, and the triangles between these. @param {number[]} triangles */
+/** Return the vertices that triangles use, and the triangles renumbered to these. @param {number[]} triangles */
 function compacted(triangles) {
   const order = [...new Set(triangles)];
   const places = new Map(order.map((vertex, place) => [vertex, place]));
@@ -142,7 +142,7 @@ function compacted(triangles) {
 /**
  * @param {Uint32Array} index @param {ArrayLike<number>} points
  * @returns {{starts: Uint32Array, ends: Uint32Array, lengths: Float32Array, border: Uint8Array}} neighbours of
- *   vertex v: `ends[starts[v]] … ends[starts[v + 1] - 1]`, each twice but at borders
+ *   vertex v: `ends[starts[v]] … ends[starts[v + 1] - 1]`, each twice except at borders
  */
 function edgesOf(index, points) {
   const count = points.length / 3;
@@ -166,7 +166,7 @@ function edgesOf(index, points) {
 }
 
 /**
- * The vertex round which each one gathers: the nearest of those that stay.
+ * Return the central vertex of each vertex's group: the nearest one that stays.
  * @param {ArrayLike<number>} points @param {ReturnType<typeof edgesOf>} edges
  * @param {(x: number, y: number, z: number) => number} reach
  */

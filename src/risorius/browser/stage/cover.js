@@ -1,11 +1,11 @@
-/** What stands before the hair, head and other hair: strands at the back need not be drawn, as the library leaves them out. */
+/** Occlusion of hair by the head and other hair: hidden strands at the back are not drawn, as in the library. */
 
 import * as THREE from "../vendor/three/three.module.min.js";
 
 const CELL = 8; // mm
 const CELLS = 64; // each way
 const [BEHIND, DEEP] = [5, 20]; // mm behind the head and behind other hair where hair is hidden
-const AROUND = 2; // cells about a place that must hide it, too: the head turns a little before it is looked at anew
+const AROUND = 2; // cells around a place that must hide it, too: the head turns a little between updates
 
 export class Cover {
   #head;
@@ -25,7 +25,7 @@ export class Cover {
     this.#hair = hair;
   }
 
-  /** Look at it along `sight`, away from who looks. @param {THREE.Vector3} sight of unit length */
+  /** Update for the direction `sight`, away from the camera. @param {THREE.Vector3} sight of unit length */
   look(sight) {
     this.#ahead.copy(sight).negate();
     this.#across.set(sight.z, 0, -sight.x);
@@ -38,13 +38,13 @@ export class Cover {
     for (let row = 0; row < CELLS; row++) for (let column = 0; column < CELLS; column++) this.#least(row, column);
   }
 
-  /** Whether the head hides a place. @param {ArrayLike<number>} points @param {number} k where its x is */
+  /** Whether the head hides a place. @param {ArrayLike<number>} points @param {number} k index of its x */
   hides(points, k) {
     const cell = this.#cell(points, k);
     return cell >= 0 && dot(this.#ahead, points, k) < this.#hidden[cell];
   }
 
-  /** @param {ArrayLike<number>} points @param {number} behind mm behind them what lies there is hidden */
+  /** @param {ArrayLike<number>} points @param {number} behind distance in mm behind the points from which things are hidden */
   #stand(points, behind) {
     for (let k = 0; k < points.length; k += 3) {
       const cell = this.#cell(points, k);

@@ -1,6 +1,6 @@
 /**
  * Eyes as the library's renderer draws them (`render/materials/eye.py`): wet balls with the iris behind a clear cornea,
- * in the shade of their lids and in the shadow that the face casts.
+ * shaded by their lids and by the face's cast shadow.
  */
 
 import * as THREE from "../vendor/three/three.module.min.js";
@@ -23,8 +23,8 @@ void main() {
   gl_Position = projectionMatrix * viewMatrix * world;
 }`;
 
-// While it moves and no graphics card draws, the key lamp's shadow is looked up at the vertices: such a machine shades what
-// lids hide, too.
+// In motion and without a graphics card, the key lamp's shadow is looked up at the vertices: such a machine also shades
+// the pixels that lids hide.
 /** @param {StageTable} packing @param {boolean} quick */
 const pixel = (packing, quick) => `
 #include <common>
@@ -76,7 +76,7 @@ void main() {
 }`;
 
 /**
- * @param {StageTable} packing @param {Record<string, {value: any}>} light what `lighting` reads
+ * @param {StageTable} packing @param {Record<string, {value: any}>} light uniforms that `lighting` reads
  * @param {THREE.Texture} iris its picture, as wide as the eye @param {number} number 0 left, 1 right
  */
 export function eyeMaterial(packing, light, iris, number) {
@@ -96,7 +96,7 @@ export function eyeMaterial(packing, light, iris, number) {
 }
 
 /**
- * Tell an eye where its lids are: where their margins lie over the ball, seen from its centre (`render/aperture.py`).
+ * Set the margins of an eye's lids, as directions from the centre of the ball (`render/aperture.py`).
  * @param {THREE.ShaderMaterial} material @param {StageEye} eye @param {Float32Array} points of the skin, before the head turns
  */
 export function placeLids({ uniforms }, { centre, radius, lids }, points) {
@@ -128,7 +128,7 @@ function heightAt(margin, x) {
 }
 
 /**
- * Tell an eye how it is turned.
+ * Set the rotation of an eye.
  * @param {THREE.ShaderMaterial} material @param {StageEye} eye @param {THREE.Matrix4} turned of the eyeball in the world
  */
 export function turnEye({ uniforms }, { axes }, turned) {

@@ -1,5 +1,5 @@
 /**
- * Faces as the server sends them (`face_packer.py` says how they are packed), and a window of them around the
+ * Faces as the server sends them (packed by `face_packer.py`), and a window of them around the
  * playhead, so that memory does not grow with the length of a line.
  */
 

@@ -1,8 +1,8 @@
 /**
- * A head in the scene: its meshes, and how a face of the server moves them.
+ * A head in the scene: its meshes, moved by the faces that the server sends.
  *
  * Lengths are mm in the head's frame as in the server's messages; the figure's group is scaled to metres.
- * The skin stays with the body by the share that the neck keeps, all else turns with the head.
+ * The skin stays with the body by the share that belongs to the neck; all else turns with the head.
  */
 
 import * as THREE from "../vendor/three/three.module.min.js";
@@ -43,11 +43,11 @@ export class Figure {
   #neck;
   /** @type {Mesh[]} */
   #eyes = [];
-  /** @type {Record<string, import("./coarse.js").Lighter>} by the name of what it stands for; empty where all triangles are drawn */
+  /** @type {Record<string, import("./coarse.js").Lighter>} by the name of the mesh it replaces; empty if all triangles are drawn */
   #lighter = {};
   /** @type {{a: import("./faces.js").Face, b: import("./faces.js").Face, share: number} | null} */
   #shown = null;
-  #waits = false; // whether the face that is shown is not taken up yet: another may come before it is drawn
+  #waits = false; // whether the current face has not been applied yet: another may arrive before drawing
   /** @type {Set<string>} meshes whose points are elsewhere */
   #stale = new Set();
   /** @type {Map<Mesh, Order>} */
@@ -56,7 +56,7 @@ export class Figure {
   #blood;
   #folds;
   #shadow;
-  /** What skin and eyes are lit by. @type {Record<string, {value: any}>} */
+  /** Uniforms of skin and eyes. @type {Record<string, {value: any}>} */
   #uniforms;
   #shaded = false; // whether the shadow is that of the face
 
@@ -85,13 +85,13 @@ export class Figure {
     groupTriangles(geometry);
   }
 
-  /** The skin's points in mm in the head's frame, as they are shown: x, y, z, x, … */
+  /** The shown points of the skin in mm in the head's frame: x, y, z, x, … */
   get skin() {
     this.#takeFace();
     return this.#points;
   }
 
-  /** What skin alone is shaded by. */
+  /** Uniforms of the skin alone. */
   get #ownUniforms() {
     return /** @type {any} */ (this.#meshes.skin.material)[0].uniforms;
   }
@@ -101,7 +101,7 @@ export class Figure {
   }
 
   /**
-   * Have ready what is drawn next.
+   * Prepare for drawing.
    * @param {THREE.Camera} camera @param {number} height of the picture, in pixels
    * @param {THREE.WebGLRenderer} renderer that draws it
    */
@@ -116,13 +116,13 @@ export class Figure {
     for (const mesh of this.#hairs.keys()) this.#comb(mesh, camera, height);
   }
 
-  /** How many numbers a face of this head has. */
+  /** The number of values in a face of this head. */
   get coordinates() {
     return 3 * this.#packing.vertices;
   }
 
   /**
-   * Show a face, or what lies between two.
+   * Show a face, or a blend of two.
    * @param {import("./faces.js").Face} a @param {import("./faces.js").Face} b
    * @param {number} share 0 shows `a`, 1 shows `b`
    * @returns {boolean} whether that is another face than the one shown before
@@ -134,7 +134,7 @@ export class Figure {
     return true;
   }
 
-  /** Free what the graphics card holds. */
+  /** Free the graphics card's memory. */
   dispose() {
     this.#shadow.dispose();
     for (const name of ["grainTile", "leaving"]) this.#uniforms[name].value.dispose();
@@ -154,7 +154,7 @@ export class Figure {
     const material = this.#materialOf(data.material.name, iris);
     const mesh = new THREE.Mesh(geometry, /** @type {any} */ (material));
     mesh.frustumCulled = false;
-    mesh.renderOrder = name === "skin" ? 0 : name === "hair" ? 2 : 1; // what skin hides need not be shaded; hair lies over all
+    mesh.renderOrder = name === "skin" ? 0 : name === "hair" ? 2 : 1; // the skin comes first, so that nothing behind it is shaded; hair comes last
     this.#meshes[name] = mesh;
     if (HAIRS.includes(name)) asStrands(mesh);
     (name === "skin" ? this.group : this.#head).add(mesh);
@@ -196,7 +196,7 @@ export class Figure {
     this.#ownUniforms.neck.value.copy(neckColour(/** @type {Record<string, THREE.BufferAttribute>} */ (geometry.attributes)));
   }
 
-  /** Have the skin know how its blood shows. @param {Uint8Array} shade */
+  /** Set the skin's attributes for blood. @param {Uint8Array} shade */
   #perfuse(shade) {
     const { geometry } = this.#meshes.skin;
     const shown = bloodOf(shade, geometry.attributes.position.count);
@@ -229,7 +229,7 @@ export class Figure {
   }
 
   /**
-   * Have hairs as wide as can be seen, and in order.
+   * Set the visible width of hairs, and sort them.
    * @param {Mesh} mesh @param {THREE.Camera} camera @param {number} height
    */
   #comb(mesh, camera, height) {
@@ -240,7 +240,7 @@ export class Figure {
     this.#hairs.get(mesh)?.sort(sight);
   }
 
-  /** A mesh's vertices are elsewhere: so is what is drawn of it, and the normals of what is no hair. @param {string} name */
+  /** Update a mesh after its vertices moved: its drawn version, and its normals unless it is hair. @param {string} name */
   #moved(name) {
     const { geometry } = this.#meshes[name];
     this.#shaded &&= name !== "skin";
@@ -253,7 +253,7 @@ export class Figure {
   }
 
   /**
-   * Turn the skin with the head by each vertex's share: here and not in the shader, which is slow by software.
+   * Turn the skin with the head by each vertex's share: done here because a shader without a graphics card is slow.
    * @param {Float32Array} points
    */
   #bendNeck(points) {
@@ -273,12 +273,12 @@ export class Figure {
     return TURNED.makeRotationFromQuaternion(this.#head.quaternion).elements;
   }
 
-  /** Light comes into the mouth between the lips. @param {Float32Array} points of the skin, before the head turns */
+  /** Update the light that enters the mouth between the lips. @param {Float32Array} points of the skin, before the head turns */
   #partLips(points) {
     findSlit(this.#packing.lips, points, this.#uniforms.lipSpan.value, this.#uniforms.lips.value);
   }
 
-  /** Have a lighter mesh in place of each that has many triangles. */
+  /** Replace each mesh of many triangles by a coarser one. */
   #coarsen() {
     const teeth = this.#meshes.teeth_upper.geometry;
     teeth.computeBoundingBox();
@@ -300,7 +300,7 @@ export class Figure {
     }
   }
 
-  /** Have the hairs that are drawn put in order. */
+  /** Sort the drawn hairs. */
   #order() {
     const cover = new Cover(turningPoints(this.#points, this.#neck, this.pivot), this.#meshes.hair ? pointsOf(this.#meshes.hair) : []);
     for (const name of HAIRS) {
@@ -321,7 +321,7 @@ function pointsOf(mesh) {
 }
 
 /**
- * The skin's points that turn with the head, about its pivot.
+ * Return the skin's points that turn with the head, about its pivot.
  * @param {Float32Array} points @param {Float32Array} shares by which they turn @param {THREE.Vector3} pivot
  */
 function turningPoints(points, shares, { x, y, z }) {
@@ -332,7 +332,7 @@ function turningPoints(points, shares, { x, y, z }) {
   return Float32Array.from(turning);
 }
 
-/** What changes of meshes with their points. @type {Record<string, string[]>} */
+/** The attributes of meshes that change with their points. @type {Record<string, string[]>} */
 const MOVING = { skin: ["position", "gained"], ...Object.fromEntries(HAIRS.map((name) => [name, ["position", "along"]])) };
 const [SIGHT, INVERSE] = [new THREE.Vector3(), new THREE.Matrix4()];
 const TARGET = new THREE.Quaternion();

@@ -1,4 +1,4 @@
-/** Where the fine wrinkles of a head lie, and how high they are in a face (`head_folds.py`). */
+/** The places of a head's fine wrinkles, and their heights in a face (`head_folds.py`). */
 
 import * as THREE from "../vendor/three/three.module.min.js";
 
@@ -8,7 +8,7 @@ import * as THREE from "../vendor/three/three.module.min.js";
  * @param {ArrayBuffer} places as the server packs them
  * @param {StageFolds} described @param {number} vertices of the skin
  */
-export function unpackFolds(places, { count, slots }, vertices) {
+function unpackFolds(places, { count, slots }, vertices) {
   const entries = slots * vertices;
   return {
     targets: new Uint32Array(places, 0, count),
@@ -22,7 +22,7 @@ export class Folds {
   #heights;
 
   /**
-   * @param {THREE.BufferGeometry} geometry the skin's, which gets what its shader needs
+   * @param {THREE.BufferGeometry} geometry the skin's; it receives the attributes for its shader
    * @param {ArrayBuffer} places @param {StageFolds} described
    */
   constructor(geometry, places, described) {
@@ -43,7 +43,7 @@ export class Folds {
     }
   }
 
-  /** Raise them to between two faces'. @param {ArrayLike<number>} a @param {ArrayLike<number>} b @param {number} share */
+  /** Set the heights to a blend of two faces'. @param {ArrayLike<number>} a @param {ArrayLike<number>} b @param {number} share */
   raise(a, b, share) {
     const heights = /** @type {Uint8Array} */ (this.#heights.array);
     this.#targets.forEach((target, k) => (heights[target] = a[k] + share * (b[k] - a[k]) + 0.5));

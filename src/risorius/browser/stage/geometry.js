@@ -1,4 +1,4 @@
-/** From what the server says of a head to what is drawn: meshes, light and neckline at each vertex, the iris. */
+/** Make the drawn parts of a head from the server's data: meshes, light and neckline at each vertex, the iris. */
 
 import * as THREE from "../vendor/three/three.module.min.js";
 /** @import {FileMesh} from "../types.js" */
@@ -12,8 +12,8 @@ const BYTES = 1 + LAMPS + 1 + 3 + 4; // of a vertex
 const ABOVE = [-20, -6]; // mm into the cloth where the neck's colour is taken
 
 /**
- * What each vertex of the skin sees of each lamp; what it sees of its surroundings, with its roughness, gloss and
- * curvature; its way to the neckline in mm, with its share of mouth interior.
+ * Return for each vertex of the skin: visibility of each lamp; of the surroundings, with roughness, gloss and
+ * curvature; distance to the neckline in mm, with the share of mouth interior.
  * @param {Uint8Array} seen (count, BYTES) as `head_shade.py` packs it
  * @param {number} count of the vertices
  * @returns {{reach: THREE.BufferAttribute, surface: THREE.BufferAttribute, worn: THREE.BufferAttribute}}
@@ -35,7 +35,7 @@ export function lightOf(seen, count) {
 }
 
 /**
- * How blood shows at each vertex of the skin.
+ * Return the visibility of blood at each vertex of the skin.
  * @param {Uint8Array} seen as for `lightOf` @param {number} count of the vertices
  */
 export function bloodOf(seen, count) {
@@ -45,7 +45,7 @@ export function bloodOf(seen, count) {
   return { flesh: column(LAMPS + 2, 0), lips: column(LAMPS + 3, 0), folded: column(LAMPS + 4, 128) };
 }
 
-/** The mean colour of the skin just above the cloth. @param {Record<string, THREE.BufferAttribute>} attributes */
+/** Return the mean colour of the skin just above the cloth. @param {Record<string, THREE.BufferAttribute>} attributes */
 export function neckColour({ color, worn }) {
   const [sum, one] = [new THREE.Color(0, 0, 0), new THREE.Color()];
   let count = 0;
@@ -58,7 +58,7 @@ export function neckColour({ color, worn }) {
 }
 
 /**
- * The share by which each vertex turns with the head: its weight for the second joint, the head's.
+ * Return the share by which each vertex turns with the head: its weight for the second joint, the head's.
  * @param {FileMesh} mesh
  */
 export function neckShare({ attributes }) {
@@ -67,7 +67,7 @@ export function neckShare({ attributes }) {
 }
 
 /**
- * A mesh of the file in mm; one that `moves` has its points and normals changed often.
+ * Return a mesh of the file in mm; `moves` marks one whose points and normals change often.
  * @param {FileMesh} data @param {boolean} moves
  */
 export function geometryOf(data, moves) {

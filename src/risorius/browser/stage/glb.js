@@ -1,12 +1,12 @@
 /**
  * Reads the binary glTF that the server writes of a head: meshes by name, each with its attributes as typed
- * arrays, and the nodes. Only what that file holds is understood: no sparse accessors, no interleaving.
+ * arrays, and the nodes. It reads only what that file contains: no sparse accessors, no interleaving.
  */
 
 /** @import {Attribute, FileMesh, HeadFile, Numbers} from "../types.js" */
 /**
  * @typedef {{attributes: Record<string, number>, indices: number, material: number}} GltfPrimitive
- * @typedef {Object} Gltf what is read of the file's own description
+ * @typedef {Object} Gltf the parts of the file's JSON that are read
  * @property {{name: string, primitives: GltfPrimitive[]}[]} meshes
  * @property {{bufferView: number, mimeType: string}[]} [images]
  * @property {{byteOffset?: number, byteLength: number}[]} bufferViews

@@ -1,11 +1,11 @@
-/** How this browser draws in 3D: by a graphics card, by the processor, or not at all. */
+/** How this browser draws 3D: with a graphics card, with the processor, or not at all. */
 
 /**
  * @typedef {"card" | "coarse" | "processor" | "none"} Graphics `coarse`: as for "card", but the coarse head; only where the
  *   page's address asks for it
  */
 
-// Renderers that draw by the processor, as the browser names them. Firefox and Chrome on Windows have WARP, "Microsoft Basic
+// Names that browsers give to renderers without a graphics card. Firefox and Chrome on Windows have WARP, "Microsoft Basic
 // Render Driver".
 const BY_PROCESSOR = /swiftshader|llvmpipe|softpipe|swrast|\bswr\b|basic render|\bwarp\b|software/i;
 
@@ -17,8 +17,8 @@ let known = null;
 /**
  * @param {Object} found
  * @param {boolean} found.webgl whether there is WebGL 2
- * @param {boolean} found.quick whether there is one of which the browser itself does not say that it is slow
- * @param {string} found.renderer its name; "" where the browser does not tell
+ * @param {boolean} found.quick whether there is one that the browser does not report as slow
+ * @param {string} found.renderer its name; "" if the browser hides it
  * @returns {Graphics}
  */
 export function graphicsOf({ webgl, quick, renderer }) {
@@ -27,7 +27,7 @@ export function graphicsOf({ webgl, quick, renderer }) {
 }
 
 /**
- * How this page draws. `?graphics=card`, `coarse`, `processor` or `none` in its address has it draw so whatever is found.
+ * Return how this page draws. `?graphics=card`, `coarse`, `processor` or `none` in its address overrides detection.
  * @returns {Graphics}
  */
 export function graphics() {
@@ -35,7 +35,7 @@ export function graphics() {
   return known;
 }
 
-/** What an address asks for; null for nothing that is known. @param {string} search @returns {Graphics | null} */
+/** Return the choice in an address, or null. @param {string} search @returns {Graphics | null} */
 export function asked(search) {
   const wanted = new URLSearchParams(search).get("graphics");
   return WAYS.find((way) => way === wanted) ?? null;
@@ -44,7 +44,7 @@ export function asked(search) {
 function probed() {
   const [quick, any] = [true, false].map(contextOf);
   const context = quick ?? any;
-  // The name is masked in some browsers, and in others told without the extension.
+  // Some browsers mask the name, others give it without the extension.
   const about = context?.getExtension("WEBGL_debug_renderer_info");
   const renderer = context?.getParameter(about ? about.UNMASKED_RENDERER_WEBGL : context.RENDERER) ?? "";
   for (const one of [quick, any]) one?.getExtension("WEBGL_lose_context")?.loseContext();

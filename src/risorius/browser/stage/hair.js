@@ -1,6 +1,6 @@
 /**
- * Hairs as the library's renderer draws them (`render/materials/hair.py`): ribbons that turn their breadth to who looks, lit
- * at their vertices, since many lie over each pixel.
+ * Hairs as the library's renderer draws them (`render/materials/hair.py`): ribbons that face the camera, lit
+ * at their vertices, since many overlap in each pixel.
  */
 
 import * as THREE from "../vendor/three/three.module.min.js";
@@ -14,9 +14,9 @@ export const HAIRS = ["brows", "lashes", "hair", "hairline"];
 const LEAST = "0.25"; // pixels: half the breadth of the thinnest hair
 const CARRIED = "varying vec3 grown;\nvarying float aside;\nvarying float soft;\n";
 
-// Many hairs lie over each pixel: few texels of the shadow do for each of them, and one in motion.
-// No hair is drawn thinner than half a pixel, as one of the library's samples, or it would glitter: so many of the thinner ones are left out that the others
-// cover the same (`render/ribbons.py`). Edges are a pixel soft.
+// Many hairs overlap in each pixel: a few texels of the shadow are enough for each, and one texel in motion.
+// Hairs thinner than half a pixel (one of the library's samples) would glitter: enough of them are left out, and the others widened,
+// to cover the same area (`render/ribbons.py`). Edges are soft over one pixel.
 /** @param {StageTable} packing @param {string} key the share of the key lamp */
 const vertex = (packing, key) => `
 #include <common>

@@ -1,4 +1,4 @@
-/** The slit between the lips, by which light comes into the mouth (`lip_edges` in `render/aperture.py`). */
+/** The slit between the lips, through which light enters the mouth (`lip_edges` in `render/aperture.py`). */
 
 const FAR = 40; // mm by which a pair stands farther apart than the nearest: those beyond do not count
 

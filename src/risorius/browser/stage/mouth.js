@@ -1,4 +1,4 @@
-/** Teeth, gums and tongue as the library's renderer draws them (`render/materials/mouth.py`): wet, in the light past the lips. */
+/** Teeth, gums and tongue as the library's renderer draws them (`render/materials/mouth.py`): wet, in the light that passes the lips. */
 
 import * as THREE from "../vendor/three/three.module.min.js";
 import { MM } from "./geometry.js";
@@ -64,7 +64,7 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-// While it moves and no graphics card draws: lit at the vertices, for such a machine shades the pixels that lips hide, too.
+// In motion and without a graphics card: lit at the vertices, since such a machine also shades the pixels that lips hide.
 const QUICK_VERTEX = `
 ${QUICK}
 void main() {
@@ -79,7 +79,7 @@ void main() {
 }`;
 
 /**
- * @param {StageTable} packing @param {Record<string, {value: any}>} uniforms what `lighting` reads
+ * @param {StageTable} packing @param {Record<string, {value: any}>} uniforms those that `lighting` reads
  * @param {string} name of the piece's material in the head's file
  * @returns {THREE.ShaderMaterial} whose `userData.quick` is the material for motion
  */

@@ -1,9 +1,9 @@
-/** How many pixels are drawn: fewer while pictures come too slowly, all of them when nothing moves. */
+/** The number of pixels drawn: fewer while drawing is too slow, all when nothing moves. */
 
 const SLOW = 1000 / 24; // ms between pictures
 const FAST = 1000 / 50;
 const STEPS = [1, 0.75, 0.5]; // of the screen's pixels a side
-const PATIENCE = 5; // pictures in a row that must be slow before it is changed; ten times as many quick ones
+const PATIENCE = 5; // slow pictures in a row before the ratio drops; ten times as many fast ones before it rises
 const PAUSE = 800; // ms without a picture after which the next one is not slow
 
 export class PixelRatio {

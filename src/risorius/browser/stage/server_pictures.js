@@ -3,7 +3,7 @@
 const DIGITS = 3; // of the values
 const MM = 1000; // to a metre
 const BUSY = 503;
-const AGAIN = 100; // ms after which a server that has too much to draw is asked again
+const AGAIN = 100; // ms to wait before asking a busy server again
 
 /**
  * @typedef {{head?: string, age?: number | null, hair?: string | null, complexion?: number | null}} Person as choices have it
@@ -11,9 +11,9 @@ const AGAIN = 100; // ms after which a server that has too much to draw is asked
  */
 
 /**
- * What is asked of the server.
+ * Return the query for the server.
  * @param {Person} person @param {ArrayLike<number> | null} values of all parameters; null: the face is at rest
- * @param {{width: number, height: number}} size in pixels, of which the shape counts @param {PictureCamera | null} camera null: the head is framed
+ * @param {{width: number, height: number}} size in pixels; the server uses their ratio @param {PictureCamera | null} camera null: the head is framed
  */
 export function pictureQuery({ head, age, hair, complexion }, values, { width, height }, camera) {
   /** @param {ArrayLike<number>} numbers */
@@ -30,7 +30,7 @@ function inMm(metres) {
 }
 
 /**
- * Fetch a picture; throws with the server's line where it cannot be drawn.
+ * Fetch a picture; throws the server's message if it cannot be drawn.
  * @param {string} query @param {string} [token] of the server
  */
 export async function fetchPicture(query, token) {
@@ -43,7 +43,7 @@ export async function fetchPicture(query, token) {
   }
 }
 
-/** Work that is done one piece at a time: of what is wished for meanwhile only the newest is done. @template T */
+/** Runs one task at a time; of the tasks requested meanwhile, only the newest runs. @template T */
 export class Newest {
   #work;
   /** @type {{wish: T} | null} */
@@ -55,7 +55,7 @@ export class Newest {
     this.#work = work;
   }
 
-  /** Whether work is being done. */
+  /** Whether a task is running. */
   get busy() {
     return this.#busy;
   }

@@ -49,8 +49,8 @@ vec4 grain( vec3 place, vec3 cells ) {
   float right = mix( flat_.y - flat_.x, flat_.w - flat_.z, way.y );
   return vec4( mix( rows.x, rows.y, way.y ), vec3( right, rows.y - rows.x, mix( rises.x, rises.y, way.y ) ) * cells );
 }
-// The share of the key lamp that reaches a place (shadow.py): a tent over the texels about it, so many to either side and
-// one more, or some of these.
+// The share of the key lamp that reaches a place (shadow.py): a tent filter over the texels around it, "reach" of them to either
+// side and one more, or every "stride"-th of these.
 float keyShare( vec3 place, int reach, int stride ) {
   vec4 p = vec4( place, 1.0 );
   vec2 at = vec2( dot( shadowRows[ 0 ], p ), dot( shadowRows[ 1 ], p ) ) - 0.5;
@@ -76,7 +76,7 @@ float pastStrip( float x, float y, float z ) {
   vec4 edges = mix( lips[ int( along ) ], lips[ int( along ) + 1 ], fract( along ) );
   return lib_strip_share( x, y, z, lipSpan.x, lipSpan.y, edges.x, edges.y, edges.z, edges.w );
 }
-// The share of light that comes past the lips to a place in the mouth, and that of the lamps' light that goes so deep (mouth.py).
+// The share of light that comes past the lips to a place in the mouth, and the share of the lamps' light that reaches that depth (mouth.py).
 vec2 pastLips( vec3 place ) {
   vec3 p = ( place - pivot ) * headTurn + pivot;
   float front = lips[ ${shading.lips / 2} ].y, z = max( p.z, front - FAUCES );
@@ -96,7 +96,7 @@ float keyShareQuick( vec3 place ) {
 vec3 towards( vec3 place ) {
   return normalize( cameraPosition * ${MM.toFixed(1)} - place );
 }
-// What leaves skin of the light of each lamp, what it mirrors, and the ambient light (skin.py, skin_lamps.py).
+// Diffuse light of each lamp that leaves the skin, specular reflection, and ambient light (skin.py, skin_lamps.py).
 vec3 litSkin( Skin skin, float key ) {
   vec3 total = skin.albedo * lib_ambient_on( ambient, skin.soft, skin.free );
   for ( int k = 0; k < ${light.lamps.length}; k ++ ) {
@@ -130,7 +130,7 @@ vec3 litCloth( vec3 albedo, vec3 normal, vec3 view, vec4 reach, float free, floa
 }
 
 /**
- * What `lighting` reads; `shadowMap`, `headTurn` and the lips are to be set.
+ * Return the uniforms that `lighting` reads; the caller sets `shadowMap`, `headTurn` and the lips.
  * @param {StageTable} packing @param {Uint8Array} tables the grain and the light that leaves skin, as `skin_formulas.py` packs them
  * @returns {Record<string, {value: any}>}
  */

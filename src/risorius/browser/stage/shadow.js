@@ -1,4 +1,4 @@
-/** The key lamp's shadow map: the skin as that lamp sees it, drawn anew when the face has moved (`render/shadow.py`). */
+/** The key lamp's shadow map: the skin as that lamp sees it, redrawn when the face has moved (`render/shadow.py`). */
 
 import * as THREE from "../vendor/three/three.module.min.js";
 /** @import {StageShadow} from "../wire.js" */
@@ -25,7 +25,7 @@ export class KeyShadow {
   constructor(shadow, rows) {
     const { size } = shadow;
     this.#target = new THREE.WebGLRenderTarget(size, size, { depthTexture: new THREE.DepthTexture(size, size) });
-    // The map's rows go down, so that what faces the lamp is turned round in it.
+    // The map's rows go down, so that triangles facing the lamp are wound the other way in it.
     const material = new THREE.ShaderMaterial({
       side: THREE.BackSide,
       uniforms: { rows: { value: rows } },
@@ -37,12 +37,12 @@ export class KeyShadow {
     this.#scene.add(this.#mesh);
   }
 
-  /** The distance of what is nearest to the lamp: 1 where there is nothing. */
+  /** The depth map of the lamp: distance of the nearest surface, 1 if there is none. */
   get map() {
     return this.#target.depthTexture;
   }
 
-  /** Draw it. @param {THREE.WebGLRenderer} renderer @param {Mesh} skin */
+  /** Draw the map. @param {THREE.WebGLRenderer} renderer @param {Mesh} skin */
   draw(renderer, { geometry }) {
     const before = renderer.getRenderTarget();
     this.#mesh.geometry = geometry;

@@ -8,12 +8,12 @@ import { lighting } from "./shading.js";
 import { DEVELOPED } from "./tone.js";
 /** @import {StageTable} from "../wire.js" */
 
-const EVEN = 0.01; // a vertex' share of the key lamp is that of its triangles where it is nearer to all or nothing
+const EVEN = 0.01; // a vertex's share of the key lamp nearer than this to 0 or 1 is used for its whole triangles
 
-// What a vertex knows. Nearly exp( - 2 half_ ) is how much of each colour the blood leaves that a place gains.
+// Inputs of a vertex. The share of each colour that added blood leaves is nearly exp( - 2 half_ ).
 const KNOWN = `
 attribute vec4 reach;
-attribute vec4 surface; // of 1: what it sees of its surroundings, roughness squared, strength of gloss, curvature
+attribute vec4 surface; // each 0 to 1: visibility of the surroundings, roughness squared, strength of gloss, curvature
 attribute vec2 worn; // mm into the cloth, share of mouth interior
 attribute float gained;
 attribute float lipsShare;
@@ -26,7 +26,7 @@ vec3 perfused() {
 }
 `;
 
-// Skin as smooth as if it had neither pores nor wrinkles. Where the colour has the cloth's in it, it is of the neck's.
+// Skin without pores and wrinkles. Colour that is mixed with the cloth's is replaced by the neck's.
 const SMOOTH = `
 uniform vec3 cloth;
 uniform vec3 neck;
@@ -35,7 +35,7 @@ Skin smoothSkin( vec3 colour, vec4 surface, vec4 reach, float hem, vec3 normal, 
   float free = surface.x * lib_collar_free( hem );
   return Skin( bare, normal, normal, view, reach, free, surface.y, surface.z * STRONGEST, surface.w * MAX_CURVATURE );
 }
-// Light on skin and on the mouth's lining, which has what comes past the lips (skin.py).
+// Light on skin, and on the mouth's lining, which receives the light that passes the lips (skin.py).
 vec3 litFlesh( Skin skin, vec3 place, float key, float inner ) {
   vec3 entered = vec3( 0.0 );
   if ( inner > INNER_MOUTH ) {
@@ -50,8 +50,8 @@ vec3 litFlesh( Skin skin, vec3 place, float key, float inner ) {
 `;
 
 /**
- * What triangles are drawn with: most have neither wrinkles nor cloth, and a shader that knows of neither is much quicker
- * where no graphics card draws.
+ * Kinds of triangles: most have neither wrinkles nor cloth, and a shader without these is much faster
+ * without a graphics card.
  * @typedef {{creased: boolean, clothed: boolean}} Kind
  * @type {Kind[]}
  */
@@ -101,7 +101,7 @@ void main() {
 /** @param {StageTable} packing */
 const creases = (packing) => `
 uniform vec4 foldStyles[ ${packing.folds.styles.length} ]; // kind, furrow, shadow, share
-// The slope of one region's folds at rest is added, and how deep in a crease the place lies (folds.py).
+// Adds the slope of one region's folds at rest, and the depth of the place in a crease (folds.py).
 void fold( inout vec3 slope, inout float deep, float height, float region, vec4 where, float blur ) {
   if ( region < 0.5 ) return;
   vec4 style = foldStyles[ int( region ) - 1 ];
@@ -185,7 +185,7 @@ varying vec3 dressed;
 varying float hem;
 `;
 
-// While it moves and no graphics card draws: lit at the vertices, of which there are few then.
+// In motion and without a graphics card: lit at the vertices, which are few then.
 /** @param {StageTable} packing */
 const quickVertex = (packing) => `
 #include <common>

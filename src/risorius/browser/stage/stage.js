@@ -1,4 +1,4 @@
-/** The stage: draws one head, or two side by side, when there is something new to see. */
+/** The stage: draws one head, or two side by side, whenever something has changed. */
 
 import * as THREE from "../vendor/three/three.module.min.js";
 import { Backdrop } from "./backdrop.js";
@@ -6,7 +6,7 @@ import { View } from "./cameras.js";
 import { PixelRatio } from "./pixel_ratio.js";
 import { developAsFilm } from "./tone.js";
 
-const REST = 800; // ms in which nothing moves after which the head is at rest
+const REST = 800; // ms without motion after which the head is at rest
 
 export class Stage {
   #canvas;
@@ -24,7 +24,7 @@ export class Stage {
   #atRest = false;
   #timer = 0;
   #size = "";
-  /** From where the heads are looked at. */
+  /** The camera. */
   view = new View(() => this.invalidate());
 
   /** @param {HTMLCanvasElement} canvas @param {{smooth?: boolean}} [how] `smooth`: whether edges are smoothed */
@@ -40,7 +40,7 @@ export class Stage {
     this.#resize();
   }
 
-  /** Take up the page's colours. */
+  /** Apply the page's colours. */
   dress() {
     this.#backdrop = new Backdrop(this.#canvas);
     this.invalidate();
@@ -59,13 +59,13 @@ export class Stage {
     this.#resize();
   }
 
-  /** Whether the clock runs, or is about to: then nothing is at rest, however slowly pictures come. @param {boolean} playing */
+  /** Whether the clock runs or is about to: then the stage counts as moving, even if pictures come slowly. @param {boolean} playing */
   set playing(playing) {
     this.#playing = playing;
     this.#moves();
   }
 
-  /** Draw a picture before long: something moved. */
+  /** Request a picture, because something moved. */
   invalidate() {
     this.#moves();
     this.#ask();
@@ -104,7 +104,7 @@ export class Stage {
   }
 
   /**
-   * Take up the canvas' size, as finely as is drawn now: not before a picture, which that clears.
+   * Apply the canvas's size and pixel ratio, only before drawing: it clears the picture.
    * @param {number} width @param {number} height
    */
   #fit(width, height) {

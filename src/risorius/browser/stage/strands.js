@@ -1,24 +1,24 @@
 /**
- * Hairs as ribbons: strands that follow one another, each of as many pairs of vertices, its left and its right
+ * Hairs as ribbons: strands one after another, each with the same number of pairs of vertices, on its left and right
  * edge from root to tip. A machine without a graphics card draws fewer and straighter ones in motion.
  *
- * Ribbons are drawn with soft edges over what is behind them (`hair.js`), so that those far away
- * come first.
+ * Ribbons are blended with soft edges over the background (`hair.js`), so the far ones
+ * are drawn first.
  */
 
 import * as THREE from "../vendor/three/three.module.min.js";
 /** @import {Mesh} from "../types.js" */
 
-const ALIKE = Math.cos((5 * Math.PI) / 180); // between directions of sight for which one order does
-const DEPTHS = 1024; // that are told apart
+const ALIKE = Math.cos((5 * Math.PI) / 180); // between viewing directions that share one order
+const DEPTHS = 1024; // depths that are distinguished
 const SHORT = 40; // mm
 const GOLDEN = 0.6180339887498949;
 const QUAD = [0, 1, 2, 1, 3, 2];
 
 /**
- * Some of the strands, spread evenly; short ones with one bend, long ones with half of theirs: with fewer they would cut through the head.
+ * Return some of the strands, spread evenly; short ones with one bend, long ones with half of theirs: fewer would cut through the head.
  * @param {Uint32Array} index (3m,) @param {number} share of the strands @param {Float32Array} points x, y, z, x, …
- * @returns {{order: number[], index: Uint32Array}} the vertices that are kept, and the triangles between these
+ * @returns {{order: number[], index: Uint32Array}} the the remaining vertices, and the triangles between them
  */
 export function fewer(index, share, points) {
   const { count, pairs } = strandsOf(index);
@@ -33,12 +33,12 @@ export function fewer(index, share, points) {
   return { order, index: Uint32Array.from(quads.flatMap((from) => QUAD.map((k) => from + k))) };
 }
 
-/** The first pairs, where hair bends most, of the others every second one, and the tip. @param {number} pairs */
+/** Return the first pairs (hair bends most there), every second one of the others, and the tip. @param {number} pairs */
 function secondOf(pairs) {
   return Array.from({ length: pairs }, (_, k) => k).filter((k) => k < 4 || k % 2 === 1 || k === pairs - 1);
 }
 
-/** How long strands are, along their left edges. @param {Float32Array} points @param {number} count @param {number} pairs */
+/** Return the mean length of strands, along their left edges. @param {Float32Array} points @param {number} count @param {number} pairs */
 function meanLength(points, count, pairs) {
   let sum = 0;
   for (let strand = 0; strand < count; strand++) {
@@ -52,8 +52,8 @@ function meanLength(points, count, pairs) {
 }
 
 /**
- * Have a mesh know of each vertex how broad its ribbon is: `breadth`, half of it in mm and half of that of the thinnest hairs
- * for which this one is left out (`render/ribbons.py`); and where its strand runs (`follow`).
+ * Add attributes to a mesh of ribbons: `breadth` (half the ribbon's width in mm, and half the width of the thinnest hairs
+ * for which this one is left out, `render/ribbons.py`) and `along` (the strand's direction, see `follow`).
  * @param {Mesh} mesh
  */
 export function asStrands({ geometry }) {
@@ -72,9 +72,9 @@ export function asStrands({ geometry }) {
 }
 
 /**
- * Have both edges of ribbons in their midst, for shaders to part them, and the vertices know where their strands run, of unit
- * length, as the ribbons of the library: on to the next pair, at the tip as before it.
- * @param {THREE.BufferGeometry} geometry of strands whose edges have been placed anew
+ * Move both edges of the ribbons to the centre line (shaders move them apart), and set the strand's unit direction at each
+ * vertex, as the library's ribbons do: towards the next pair; at the tip, that of the pair before.
+ * @param {THREE.BufferGeometry} geometry of strands whose edges were just moved
  */
 export function follow({ attributes, userData }) {
   const [points, ways] = [attributes.position.array, attributes.along.array];
@@ -91,7 +91,7 @@ export function follow({ attributes, userData }) {
   }
 }
 
-/** Puts a mesh's strands in order, the farthest first, whenever it is looked at from elsewhere, and leaves out what is hidden. */
+/** Sorts a mesh's strands by distance, farthest first, when the camera moves, and leaves out the hidden ones. */
 export class Order {
   #geometry;
   #index;
@@ -102,7 +102,7 @@ export class Order {
 
   /**
    * @param {THREE.BufferGeometry} geometry of strands
-   * @param {import("./cover.js").Cover | null} cover what hides some of them; null for strands that move with the face
+   * @param {import("./cover.js").Cover | null} cover surface that may hide some; null for strands that move with the face
    */
   constructor(geometry, cover = null) {
     this.#geometry = geometry;
@@ -112,7 +112,7 @@ export class Order {
     this.#depths = new Float32Array(this.#strands.count);
   }
 
-  /** @param {THREE.Vector3} sight away from who looks, of unit length, in the mesh's own frame */
+  /** @param {THREE.Vector3} sight away from the camera, of unit length, in the mesh's own frame */
   sort(sight) {
     if (sight.dot(this.#sorted) > ALIKE) return;
     this.#sorted.copy(sight);
@@ -164,7 +164,7 @@ export class Order {
 }
 
 /**
- * How many strands, and of how many pairs: the second begins where none of the first's vertices is met.
+ * Return the number of strands and of pairs in each: the second begins at the first triangle that shares no vertex with those before.
  * @param {Uint32Array} index
  */
 function strandsOf(index) {

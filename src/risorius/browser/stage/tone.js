@@ -11,7 +11,7 @@ vec3 CustomToneMapping( vec3 color ) {
   return saturate( 1.30 * rolled / ( 1.0 + 0.30 * rolled ) );
 }`;
 
-/** For what is lit at its vertices: colours of the screen. */
+/** For materials lit at their vertices: colours of the screen. */
 export const DEVELOPED = `
 #include <tonemapping_pars_fragment>
 #include <colorspace_pars_fragment>

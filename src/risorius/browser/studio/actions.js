@@ -5,10 +5,10 @@ import { Work } from "./work.js";
 /** @import {Written} from "../types.js" */
 
 /**
- * What the user can have done, by name: each asks the server, and puts its answer into the store.
+ * The user's actions: each sends a request to the server and puts the answer into the store.
  *
- * Whatever changes the take goes through here, so that all parts of the page see one take.
- * An action that is refused says so in the page's notice, and resolves to null.
+ * Every change of the take goes through here, so that all parts of the page see the same take.
+ * If the server refuses an action, the page's notice says so, and the action resolves to null.
  */
 export class Actions {
   #store;
@@ -19,7 +19,7 @@ export class Actions {
   /**
    * @param {import("./store.js").Store} store
    * @param {import("./connection.js").Connection} connection
-   * @param {(text: string) => void} notify says a line to the user
+   * @param {(text: string) => void} notify shows a line to the user
    */
   constructor(store, connection, notify) {
     this.#store = store;
@@ -29,22 +29,22 @@ export class Actions {
   }
 
   /**
-   * Perform the store's source with its emotions and choices anew.
-   * @param {() => void} [arrives] called when the take is here, before anybody is told of it
+   * Perform the store's source with its emotions and choices.
+   * @param {() => void} [arrives] called when the take has arrived, before listeners are
    */
   perform(arrives) {
     return this.#changing("perform", written(this.#store), "Performing …", arrives);
   }
 
-  /** Have the server make ready what is written, in case it is performed. */
+  /** Let the server prepare the draft, in case it is performed. */
   prepare() {
-    // Nothing is lost where it does not.
+    // If that fails, nothing is lost.
     if (this.#store.get("busy") === "") this.#connection.request("prepare", written(this.#store)).catch(() => {});
   }
 
   /**
    * Perform the same source with other choices or emotions; those left out stay.
-   * @param {Partial<Pick<Written, "choices" | "emotions">>} parts `choices` holds only what is other than before
+   * @param {Partial<Pick<Written, "choices" | "emotions">>} parts `choices` contains only those that changed
    */
   choose({ choices, emotions }) {
     /** @type {Partial<Written>} */
@@ -56,8 +56,8 @@ export class Actions {
   }
 
   /**
-   * Have a phone begin elsewhere: what moves follows it.
-   * @param {number} phone its index @param {number | null} start seconds; null: where it was found
+   * Move the beginning of a phone; movements follow it.
+   * @param {number} phone its index @param {number | null} start seconds; null: as aligned
    */
   relabel(phone, start) {
     return this.#changing("relabel", { phone, start }, "Performing …");
@@ -78,9 +78,9 @@ export class Actions {
   }
 
   /**
-   * Ask what changes would do together; null where they cannot be made, which is not said: they are not yet wanted.
+   * Preview several edits; null if they cannot be made. No notice is shown: the user has not made them yet.
    * @param {Record<string, any>[]} edits as those of `editAll`
-   * @param {number | null} face the time at which the face should follow, which is then shown
+   * @param {number | null} face time of the face to show with the edits
    */
   async preview(edits, face) {
     this.#store.set({ preview: face !== null });
@@ -103,38 +103,38 @@ export class Actions {
     return this.#changing("set_markers", { markers }, "");
   }
 
-  /** Say which lanes are muted, solo and locked. @param {import("../wire.js").LaneStates} lanes */
+  /** Set the muted, solo and locked lanes. @param {import("../wire.js").LaneStates} lanes */
   setLanes(lanes) {
     return this.#changing("set_lanes", { lanes }, "");
   }
 
-  /** Make a change again that did not fit a new text. @param {number} number in the take's `lost` */
+  /** Restore an edit that did not fit a new text. @param {number} number in the take's `lost` */
   bringBack(number) {
     return this.#changing("bring_back", { number }, "");
   }
 
-  /** Forget the changes that did not fit. */
+  /** Discard the edits that did not fit. */
   letGo() {
     return this.#changing("let_go", {}, "");
   }
 
-  /** Take back the last change. */
+  /** Undo the last change. */
   undo() {
     return this.#store.get("take")?.undoes ? this.#changing("undo", {}, "") : null;
   }
 
-  /** Show again what was here before a project was opened. */
+  /** Return to the state before a project was opened. */
   undoOpening() {
     return this.#changing("undo", { opened: true }, "");
   }
 
-  /** Make the change that was taken back last again. */
+  /** Redo the last undone change. */
   redo() {
     return this.#store.get("take")?.redoes ? this.#changing("redo", {}, "") : null;
   }
 
   /**
-   * Point at something: everything that shows details follows.
+   * Select something: all parts that show details follow.
    * @param {{time?: number | null, parameter?: string | null, movement?: string | null}} selection
    */
   select({ time = null, parameter = null, movement = null }) {
@@ -155,8 +155,8 @@ export class Actions {
   }
 
   /**
-   * The same for what may take long: how far it is is shown meanwhile, and it can be stopped.
-   * @param {string} verb @param {Record<string, any>} fields @param {string} busy what is being done
+   * The same for long work: its progress is shown, and it can be stopped.
+   * @param {string} verb @param {Record<string, any>} fields @param {string} busy name of the work
    * @returns {Promise<any>} null also where it was stopped
    */
   async work(verb, fields, busy) {
@@ -169,14 +169,14 @@ export class Actions {
   }
 
   /**
-   * Do what takes long beside the socket; it can be stopped, too.
+   * Run long work outside the socket; it can be stopped, too.
    * @template T @param {string} busy @param {(signal: AbortSignal) => Promise<T>} work
    */
   during(busy, work) {
     return this.#work.during(busy, work);
   }
 
-  /** Stop what takes long. */
+  /** Stop the work in progress. */
   stop() {
     this.#work.stop();
   }
@@ -194,7 +194,7 @@ export class Actions {
   }
 
   /**
-   * Put the answer to a change into the store: a whole take, or what became other in it.
+   * Put the answer to a change into the store: a whole take, or the changed parts.
    * @param {any} answer @param {Partial<Written>} asked
    */
   #take(answer, asked) {

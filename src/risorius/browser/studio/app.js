@@ -72,5 +72,5 @@ prepareWhatIsWritten(studio);
 wakeSoundWhenTouched();
 openSession(studio);
 
-// For the curious, and for tests.
+// For tests, and for the browser's console.
 window.studio = studio;

@@ -2,7 +2,7 @@
  * The socket to the server: requests with replies, pushed events, binary messages; it reconnects by itself.
  *
  * `request("undo", {})` resolves to the reply's `ok`, rejects with `Refusal` (the server's one line) or
- * `Disconnected`. Events of the server and "up", "down" are heard with `on(name, call)`, binary messages
+ * `Disconnected`. `on(name, call)` listens for the server's events and for "up" and "down", binary messages
  * (ArrayBuffer) with `on("binary", call)`.
  */
 
@@ -10,10 +10,10 @@ const FIRST_WAIT = 250; // ms before the first attempt to reconnect
 const LONGEST_WAIT = 5000;
 
 /** The server's answer to a request that it cannot fulfil. */
-export class Refusal extends Error {}
+class Refusal extends Error {}
 
 /** The socket closed before the answer came. */
-export class Disconnected extends Error {}
+class Disconnected extends Error {}
 
 export class Connection {
   #url;
@@ -50,7 +50,7 @@ export class Connection {
   /**
    * Ask the server to do something.
    * @param {string} verb @param {Record<string, any>} [fields]
-   * @param {(id: number) => void} [begun] told the request's number, by which it can be stopped
+   * @param {(id: number) => void} [begun] receives the request's number, which stops it
    * @returns {Promise<any>} the reply's `ok`
    */
   request(verb, fields = {}, begun = () => {}) {
@@ -61,12 +61,12 @@ export class Connection {
     return new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject }));
   }
 
-  /** Have everybody take up the session anew, as after a connection that was lost. */
+  /** Let all listeners reload the session, as after a lost connection. */
   reopen() {
     if (this.up) this.#tell("up", null);
   }
 
-  /** Let the connection go, as a network does; it is made again. */
+  /** Drop the connection, as a network failure would; it reconnects. */
   drop() {
     this.#socket?.close();
   }
@@ -125,7 +125,7 @@ export class Connection {
 }
 
 /**
- * What is null is left out: that is what the wire's fields are where nothing is said.
+ * Null fields are left out: null is the default of the wire's fields.
  * @param {string} key @param {unknown} value
  */
 function withoutNulls(key, value) {

@@ -1,5 +1,5 @@
 /**
- * What is written but not performed. The server keeps it with the session, and this tab keeps it, too: it must
+ * The draft: text and settings that are not performed yet. The server and this tab both keep it: it must
  * survive a reload, a lost connection, undo, and a take that another tab performs.
  */
 
@@ -11,22 +11,22 @@ import { settled } from "../parts/dom.js";
 /** @type {("source" | "choices" | "emotions")[]} */
 export const PARTS = ["source", "choices", "emotions"];
 
-/** What is written before anything is. @type {Pick<import("./store.js").Parts, "source" | "emotions">} */
+/** The empty draft. @type {Pick<import("./store.js").Parts, "source" | "emotions">} */
 export const NOTHING = { source: { script: "", format: "text", recording: null, edges: [] }, emotions: [] };
 
-const WAIT = 600; // ms after the last letter at which the server is told
+const WAIT = 600; // ms after the last letter until the draft is sent
 const KEY = "risorius-draft";
 
-/** Whether two parts of the store say the same. @param {unknown} a @param {unknown} b */
+/** Whether two parts of the store are equal. @param {unknown} a @param {unknown} b */
 export const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 
-/** The parts of the store of which a take is made. @param {Store} store @returns {Written} */
+/** The parts of the store that a take is made from. @param {Store} store @returns {Written} */
 export function written(store) {
   return { source: store.get("source"), choices: store.get("choices"), emotions: store.get("emotions") };
 }
 
 /**
- * Whether what is written is other than what was performed (or than nothing, before the first take).
+ * Whether the draft differs from the performed text and settings (or from an empty draft, before the first take).
  * @param {Store} store
  */
 export function isDraft(store) {
@@ -37,11 +37,11 @@ export function isDraft(store) {
 }
 
 /**
- * The parts of `now` that take the place of those in the store: what the user has written since stays.
+ * Return the parts of `now` that replace those in the store: parts that the user has changed since stay.
  * @param {import("./store.js").Store} store
- * @param {Record<string, any> | undefined} before what the take before was made of
- * @param {Record<string, any>} now what the take is made of
- * @param {Record<string, any>} [asked] the parts with which it was asked for
+ * @param {Record<string, any> | undefined} before source of the previous take
+ * @param {Record<string, any>} now source of the new take
+ * @param {Record<string, any>} [asked] the parts that were sent with the request
  */
 export function adopted(store, before, now, asked = {}) {
   const names = PARTS.filter((name) => {
@@ -51,25 +51,25 @@ export function adopted(store, before, now, asked = {}) {
   return Object.fromEntries(names.map((name) => [name, now[name]]));
 }
 
-/** Show what was performed; what was written instead can be brought back. @param {Store} store */
+/** Show the performed text; the draft is put aside and can be restored. @param {Store} store */
 export function putAside(store) {
   if (!isDraft(store)) return;
   store.set({ aside: written(store), ...(store.get("take")?.made ?? NOTHING) });
 }
 
-/** Write again what was put aside. @param {Store} store */
+/** Restore the draft that was put aside. @param {Store} store */
 export function bringBack(store) {
   const aside = store.get("aside");
   if (aside) store.set({ aside: null, ...aside });
 }
 
 /**
- * Keep what is written, in this tab at once, with the server as soon as nobody writes on. To be called when the
- * session is open: before, nothing is written yet.
+ * Save the draft: in this tab at once, on the server after a pause in typing. Call it when the
+ * session is open; before that there is no draft.
  * @param {Studio} studio
  */
 export function keepDraft({ store, connection }) {
-  let waits = false; // whether the server is not told yet
+  let waits = false; // whether the draft is not sent yet
   const tell = () => {
     if (store.get("link") !== "up") return; // it is sent when the session opens again
     waits = false;
@@ -107,7 +107,7 @@ function remember(session, text) {
 }
 
 /**
- * What this tab had written when it was left, if it was not performed; settings that are no more are left out.
+ * Return the draft that this tab had when it was left; settings that no longer exist are left out.
  * @param {string} session @param {Record<string, any>} choices all that there are
  */
 export function remembered(session, choices) {

@@ -28,7 +28,7 @@ export function listenToDrops(studio) {
   });
 }
 
-/** Open a project's file in place of what the session has. @param {import("./studio.js").Studio} studio @param {File} file */
+/** Open a project file; it replaces the session's project. @param {import("./studio.js").Studio} studio @param {File} file */
 export async function openProject({ store, connection, notify, actions }, file) {
   const limit = store.get("catalogue")?.limits.project ?? Infinity;
   if (file.size > limit) {
@@ -43,8 +43,8 @@ export async function openProject({ store, connection, notify, actions }, file) 
     if (!response.ok) throw new Error((await response.text()).trim());
     connection.reopen();
     if (had) {
-      const offer = { label: "Put back", act: () => actions.undoOpening() };
-      notify(`${file.name} is open in place of what was here.`, offer);
+      const offer = { label: "Restore", act: () => actions.undoOpening() };
+      notify(`Opened ${file.name}. It replaces the previous project.`, offer);
     }
   } catch (error) {
     if (written) bringBack(store);

@@ -1,4 +1,4 @@
-/** The first minute: an example that plays on a click, then three hints on what is seen. */
+/** The first minute: an example that plays on a click, then three hints on the parts of the page. */
 
 import { button } from "../parts/fields.js";
 import { make } from "../parts/dom.js";
@@ -11,10 +11,10 @@ const HINTS = [
     "A block is a movement of the face. Click one to see why it is there; drag it to move it, its corners to stretch it.",
   ],
   ["#panel [role=tablist]", "Dials move single muscles, the head, the eyes, or a whole emotion; the face follows at once."],
-  ["#explanation", "Why? names the rule behind a movement, what wins at that moment, and what gives way to it."],
+  ["#explanation", "Why? names the rule behind a movement, the movement that wins at that moment, and those that yield to it."],
 ];
 
-/** A button on the empty stage. @param {HTMLElement} stage @param {import("./studio.js").Studio} studio */
+/** Show a button on the empty stage. @param {HTMLElement} stage @param {import("./studio.js").Studio} studio */
 export function mountExample(stage, studio) {
   const { store } = studio;
   const play = button("Play an example", { id: "example", class: "primary", onclick: begin });
@@ -74,7 +74,7 @@ export function showHints() {
   }
 }
 
-/** Beside what it is about, within the window. @param {HTMLElement} card @param {DOMRect} box */
+/** Place a card beside the part that it describes, within the window. @param {HTMLElement} card @param {DOMRect} box */
 function place(card, { left, top, bottom }) {
   const { offsetWidth: width, offsetHeight: height } = card;
   const above = top - height - 8;

@@ -1,5 +1,5 @@
 /**
- * Who is on stage: the take's head, beside it that of a comparison, or one that the dials hold. Each head has a
+ * The heads on stage: the take's, with that of a comparison beside it, or the dialled one. Each head has a
  * player that follows the clock.
  */
 
@@ -20,7 +20,7 @@ export class HeadPlayers {
   /** @type {(import("../stage/figure.js").Figure | null)[]} */
   #figures = [null, null];
   #players;
-  /** How often another head was wanted at each place: one that comes late must not take the place of another. */
+  /** The number of heads requested for each place: a late answer must not replace a newer head. */
   #casts = [0, 0];
 
   /** @param {HTMLCanvasElement} canvas @param {Pick<import("./studio.js").Studio, "store" | "connection" | "clock" | "notify">} studio */
@@ -51,17 +51,17 @@ export class HeadPlayers {
     });
   }
 
-  /** From where the heads are looked at. */
+  /** The camera. */
   get view() {
     return this.stage.view;
   }
 
-  /** Whether the face of the take has not come yet. */
+  /** Whether the face of the take has not arrived yet. */
   get behind() {
     return this.#players[0].behind;
   }
 
-  /** Who stands at the place of the take, and at that of the comparison; null where nobody does. */
+  /** The heads at the places of the take and of the comparison; null if a place is empty. */
   get figures() {
     return this.#figures;
   }
@@ -71,7 +71,7 @@ export class HeadPlayers {
     return this.#players;
   }
 
-  /** Put the head of a take at its place, and have it follow the take. @param {number} place @param {Take | null} take */
+  /** Put the head of a take at its place, and let it follow the take. @param {number} place @param {Take | null} take */
   async #cast(place, take) {
     const cast = ++this.#casts[place];
     if (!this.#store.get("catalogue") || (place === 1 && !take)) {
@@ -124,7 +124,7 @@ export class HeadPlayers {
   }
 
   /**
-   * Faces of another head than the one on stage are of another length: they are late, or early.
+   * Faces of another length belong to another head: they are late, or early.
    * @param {number} place @param {Face} a @param {Face} b @param {number} share
    */
   #draw(place, a, b, share) {

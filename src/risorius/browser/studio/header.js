@@ -1,4 +1,4 @@
-/** The page's head: what state it is in, undo and redo, theme, help. */
+/** The page's header: state, undo and redo, theme, help. */
 
 import { button } from "../parts/fields.js";
 import { fill, make } from "../parts/dom.js";
@@ -40,7 +40,7 @@ export function mountHeader(tools, state, studio) {
     showStep(undo, "Undo", store.get("take")?.undoes, "Ctrl Z");
     showStep(redo, "Redo", store.get("take")?.redoes, "Ctrl Shift Z");
   });
-  const stop = button("Stop", { id: "stop", title: "Stop what is being performed", onclick: () => actions.stop() });
+  const stop = button("Stop", { id: "stop", title: "Stop performing", onclick: () => actions.stop() });
   state.after(stop);
   store.watch(["link", "saved", "busy", "take", "draft", "catalogue"], () => showState(state, store));
   store.watch(["stoppable"], () => {

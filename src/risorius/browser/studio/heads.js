@@ -1,4 +1,4 @@
-/** Figures of heads, fetched when they are needed and kept while they may be needed again. */
+/** Figures of heads, fetched on demand and cached. */
 
 import { buildFigure } from "../stage/figure.js";
 /** @import {Choices} from "../wire.js" */
@@ -16,7 +16,7 @@ export class Heads {
   }
 
   /**
-   * The figure of the head that choices ask for. `place` is where it stands: two places never share one.
+   * Return the figure of the head in the choices. Each `place` has a figure of its own.
    * @param {Choices} choices of the wire @param {number} place
    * @returns {Promise<import("../stage/figure.js").Figure>}
    */
@@ -39,7 +39,7 @@ export class Heads {
   }
 
   /**
-   * A head is shown with its shade, without which its neckline is ragged; that may have to be worked out first.
+   * A head is shown together with its shade data (without it the neckline is ragged), which the server may have to compute first.
    * @param {string} asked
    */
   async #fetch(asked) {

@@ -1,4 +1,4 @@
-/** Keys that hold everywhere on the page, except where text is typed; `help` lists them. */
+/** Keys that work everywhere on the page except in text fields; `help` lists them. */
 
 import { there } from "../parts/dom.js";
 import { playOrPause } from "./playing.js";
@@ -53,7 +53,7 @@ function pressed(event) {
   return `${event.ctrlKey || event.metaKey ? "Ctrl+" : ""}${shift ? "Shift+" : ""}${key}`;
 }
 
-/** Whether a key is the page's: not where the element that has the focus makes use of it. @param {KeyboardEvent} event */
+/** Whether the page handles a key: not if the focused element uses it. @param {KeyboardEvent} event */
 function free(event) {
   const element = /** @type {Element} */ (event.target);
   const key = pressed(event);

@@ -1,4 +1,4 @@
-/** The live face: what is typed is said at once, in the voice and on the head that are chosen. */
+/** The live face: it speaks typed text at once, with the chosen voice and head. */
 
 import { button } from "../parts/fields.js";
 import { make, there } from "../parts/dom.js";
@@ -7,7 +7,7 @@ import { asked } from "../stage/graphics.js";
 /** @import {Store} from "./store.js" */
 
 /**
- * Return the button that puts a live face over the stage, and takes it away.
+ * Return the button that shows a live face over the stage, and removes it.
  * @param {import("./studio.js").Studio} studio
  * @returns {HTMLElement}
  */
@@ -36,7 +36,7 @@ export function liveSwitch({ store, clock }) {
   return live;
 }
 
-/** The page of the live face, with what is chosen otherwise than usual. @param {Store} store */
+/** Return the address of the live face's page, with the settings that differ from their defaults. @param {Store} store */
 function shown(store) {
   /** @type {Record<string, unknown>} */
   const usual = { ...store.get("catalogue").choices };

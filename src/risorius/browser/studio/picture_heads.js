@@ -1,6 +1,6 @@
 /**
- * The heads on stage as the server draws them, where no graphics card does: the take's, beside it that of a comparison, or
- * one that dials hold. A picture is asked for when the one before is there.
+ * The heads on stage without a graphics card, drawn by the server: the take's, with that of a comparison beside it, or
+ * the dialled one. Each picture is requested when the previous one has arrived.
  */
 
 import { contextOf, told } from "../parts/dom.js";
@@ -21,7 +21,7 @@ export class PictureHeads {
   #fault = "";
   /** Pictures drawn so far. */
   drawn = 0;
-  /** From where the heads are looked at. */
+  /** The camera. */
   view = new View(() => this.#change());
 
   /** @param {HTMLCanvasElement} canvas @param {Pick<import("./studio.js").Studio, "store" | "connection" | "clock" | "notify">} studio */
@@ -38,12 +38,12 @@ export class PictureHeads {
     new ResizeObserver(() => this.#change()).observe(canvas);
   }
 
-  /** Whether the first picture has not come yet. */
+  /** Whether the first picture has not arrived yet. */
   get behind() {
     return this.#shown.length === 0;
   }
 
-  /** Whether a picture is on its way. */
+  /** Whether a picture is requested. */
   get awaits() {
     return this.#newest.busy;
   }
@@ -52,7 +52,7 @@ export class PictureHeads {
     if (this.#store.get("catalogue") && this.#canvas.clientHeight > 0) this.#newest.ask(null);
   }
 
-  /** How many stand on stage. */
+  /** The number of heads on stage. */
   get #count() {
     return this.#store.get("other") ? 2 : 1;
   }
@@ -65,7 +65,7 @@ export class PictureHeads {
         this.#shown[place] = { query, picture: await fetchPicture(query) };
         this.#fault = "";
       } catch (error) {
-        // The same picture is not asked for again until something changes, and a fault is said once.
+        // The same picture is not requested again until something changes, and an error is shown once.
         this.#shown[place] = { query, picture: this.#shown[place]?.picture ?? null };
         if (this.#fault !== told(error)) this.#notify(`The head cannot be shown: ${told(error)}`);
         this.#fault = told(error);
@@ -75,7 +75,7 @@ export class PictureHeads {
     this.#paint();
   }
 
-  /** What is asked of the server. @param {number} place */
+  /** Return the query for the server. @param {number} place */
   #query(place) {
     const { clientWidth: width, clientHeight: height } = this.#canvas;
     const size = { width: width / this.#count, height };
@@ -97,7 +97,7 @@ export class PictureHeads {
   }
 
   /**
-   * Put a picture in the midst of its part of the stage, as high as that: its width is only nearly that which was asked for.
+   * Centre a picture in its part of the stage, at full height: its width may differ slightly from the requested one.
    * @param {ImageBitmap} picture @param {number} left @param {number} width @param {number} height
    */
   #put(picture, left, width, height) {
@@ -113,7 +113,7 @@ export class PictureHeads {
 }
 
 /**
- * The values of the face that is the user's own: of dials, of a change that is tried, or of the take.
+ * Return the values of the user's face: of the dials, of an edit being previewed, or of the take.
  * @param {Store} store @param {import("../player/clock.js").Clock} clock
  */
 function ownValues(store, clock) {
@@ -123,9 +123,9 @@ function ownValues(store, clock) {
 }
 
 /**
- * The values of all parameters at a time of a take; of a face at rest without one.
+ * Return the values of all parameters at a time of a take, or of a face at rest without a take.
  * @param {Store} store @param {Take | null} take @param {number} time
- * @param {Map<string, Float32Array | null> | null} [tried] curves instead of the take's own; null where one is at rest
+ * @param {Map<string, Float32Array | null> | null} [tried] curves that replace the take's; null for a parameter at rest
  */
 function valuesAt(store, take, time, tried = null) {
   const frame = take ? Math.floor(Math.min(time * take.rate + 1e-6, take.frames - 1)) : 0;

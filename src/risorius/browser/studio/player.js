@@ -1,6 +1,6 @@
 /**
- * Shows the face of the clock's time on a figure: keeps a window of faces around the playhead, asks the server
- * for those that are missing, and drops those far away, so that memory does not grow with the length.
+ * Shows the face at the clock's time on a figure: keeps a window of faces around the playhead, asks the server
+ * for missing ones, and drops distant ones, so that memory does not grow with the length.
  */
 
 import { KINDS } from "../stage/faces.js";
@@ -9,10 +9,10 @@ import { KINDS } from "../stage/faces.js";
 const BEHIND = 2; // s of faces kept before the playhead
 const AHEAD = 8; // s of faces asked for beyond it
 const REFILL = 4; // s left ahead at which more is asked for
-const PACE = 3; // times as many as are shown are sent a second: the machine draws meanwhile, too
-const SETTLED = 300; // ms in which nobody scrubs after which faces are asked for: each stretch costs the server much
-const SOON = 0.5; // s after what has arrived within which a frame is waited for
-const AGAIN = 400; // ms after which a request that failed is made again
+const PACE = 3; // ratio of faces sent to faces shown per second: the machine has to draw, too
+const SETTLED = 300; // ms without scrubbing before faces are requested: each request is expensive for the server
+const SOON = 0.5; // s beyond the last arrived frame within which a frame is waited for
+const AGAIN = 400; // ms before a failed request is repeated
 
 export class Player {
   #connection;
@@ -32,7 +32,7 @@ export class Player {
   /**
    * @param {import("./connection.js").Connection} connection
    * @param {import("../player/clock.js").Clock} clock
-   * @param {(a: Face, b: Face, share: number) => void} show shows what lies between two faces
+   * @param {(a: Face, b: Face, share: number) => void} show shows a blend of two faces
    */
   constructor(connection, clock, show) {
     this.#connection = connection;
@@ -42,7 +42,7 @@ export class Player {
     connection.on("up", () => this.#ask());
   }
 
-  /** Faces that are held now. */
+  /** The number of cached faces. */
   get held() {
     return this.#faces.size;
   }
@@ -52,18 +52,18 @@ export class Player {
     return this.#take;
   }
 
-  /** The take, where one is known to be there. */
+  /** The take, which must exist. */
   get #held() {
     return /** @type {{take: number, frames: number, rate: number}} */ (this.#take);
   }
 
-  /** Whether the face of the clock's time has not come yet. */
+  /** Whether the face of the clock's time has not arrived yet. */
   get behind() {
     return this.#take !== null && !this.#faces.has(this.#now());
   }
 
   /**
-   * Whether a change is tried: then the face is that of it, not of the take, unless it plays.
+   * Whether an edit is previewed: then its face is shown instead of the take's, except during playback.
    * @param {boolean} previewing
    */
   set previewing(previewing) {
@@ -72,7 +72,7 @@ export class Player {
   }
 
   /**
-   * Show another take; frames outside [first, last) keep the faces that they had.
+   * Show another take; frames outside [first, last) keep their faces.
    * @param {{take: number, frames: number, rate: number} | null} take
    * @param {number} first @param {number} last
    */
@@ -87,7 +87,7 @@ export class Player {
     this.#ask();
   }
 
-  /** Take in faces from the server. @param {ReturnType<typeof import("../stage/faces.js").unpackFaces>} sent */
+  /** Store faces from the server. @param {ReturnType<typeof import("../stage/faces.js").unpackFaces>} sent */
   receive({ kind, take, first, faces }) {
     if (take !== this.#take?.take) return;
     if (kind === KINDS.moment) {
@@ -101,7 +101,7 @@ export class Player {
     this.#ask();
   }
 
-  /** The clock's time is another: show its face if it is there, and see to it that there are more. */
+  /** Follow the clock: show the face of its time if it has arrived, and request missing ones. */
   update() {
     if (!this.#take) return;
     this.#showNow();
@@ -116,12 +116,12 @@ export class Player {
     this.#glance();
   }
 
-  /** Whether the take's first face is asked for: it comes at once, for none goes before it. */
+  /** Whether the take's first face is requested: it comes at once, since no face precedes it. */
   get #begins() {
     return this.#asking?.first === 0 && this.#now() === 0;
   }
 
-  /** What is on its way is for another place: the server has better to do. */
+  /** Cancel requests for another place: the server has more urgent work. */
   #giveUp() {
     const [asking, now] = [this.#asking, this.#now()];
     if (!asking || (now >= asking.first && now < asking.last) || !this.#connection.up) return;
@@ -138,12 +138,12 @@ export class Player {
     this.#drop(before);
   }
 
-  /** Ask for the one face of the clock's time, as it is when held: it is here long before those that move. */
+  /** Request the single face of the clock's time, without motion: it arrives long before the moving ones. */
   async #glance() {
     if (this.#glancing || !this.#connection.up) return;
     this.#glancing = true;
     const [{ take, rate }, frame] = [this.#held, this.#now()];
-    // Faces that are refused come with the others, or their absence is said there.
+    // If this fails, the face comes with the others, or their request reports the error.
     await this.#connection.request("face_at", { take, time: frame / rate, still: true }).catch(() => {});
     this.#glancing = false;
     if (this.#take?.take === take && this.#now() !== frame && this.behind && !this.#clock.playing) this.#glance();
@@ -155,7 +155,7 @@ export class Player {
     this.#retry = setTimeout(() => this.#ask(), wait);
   }
 
-  /** The last frame that is not after the clock's time. */
+  /** Return the last frame at or before the clock's time. */
   #now() {
     return Math.floor(Math.min(this.#clock.time * this.#held.rate, this.#held.frames - 1));
   }
@@ -169,8 +169,8 @@ export class Player {
   }
 
   /**
-   * Whether to wait for what was asked for: a frame that is due soon, or the first of a stretch, even if the
-   * playhead has jumped on since. A server asked for each place that a hand scrubs over would never answer.
+   * Whether to wait for the current request: for a frame that is due soon, or the first one of the request, even if the
+   * playhead has jumped since. A server that gets a request for each place of a scrub would never answer.
    * @param {number} frame @param {number} rate
    */
   #comes(frame, rate) {
@@ -179,7 +179,7 @@ export class Player {
     return frame >= asking.first && frame < asking.last && frame <= asking.arrived + SOON * rate;
   }
 
-  /** Ask for the first stretch that is missing from the playhead on, unless it is on its way. */
+  /** Request the first missing frames after the playhead, unless they are already requested. */
   #ask() {
     if (!this.#take || !this.#connection.up) return;
     if (!this.#clock.playing && performance.now() - this.#scrubbed < SETTLED) return;

@@ -1,4 +1,4 @@
-/** Playing what is written: a line that is not performed yet, or was changed since, is performed first. */
+/** Playback: a line that is not performed yet, or has changed since, is performed first. */
 
 import { settled } from "../parts/dom.js";
 /** @import {Store} from "./store.js" */
@@ -24,7 +24,7 @@ export function canPlay(store) {
 }
 
 /**
- * Have what is written made ready whenever nobody has written on for a while, so that it plays at once.
+ * Perform the draft in advance after a pause in typing, so that it plays at once.
  * @param {import("./studio.js").Studio} studio store, actions
  */
 export function prepareWhatIsWritten({ store, actions }) {
@@ -40,7 +40,7 @@ function written(store) {
   return script.trim() !== "" || recording !== null;
 }
 
-/** Whether what is written is other than what was performed. @param {Store} store */
+/** Whether the draft differs from the performed text and settings. @param {Store} store */
 function changed(store) {
   const made = store.get("take")?.made;
   if (!written(store)) return false;

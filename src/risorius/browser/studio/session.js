@@ -1,4 +1,4 @@
-/** The session: its name in the address, its state when the socket opens, and what the clock plays. */
+/** The session: its name in the address, its state when the socket opens, and the sound of the clock. */
 
 import { NOTHING, adopted, isDraft, keepDraft, remembered } from "./drafts.js";
 import { settled } from "../parts/dom.js";
@@ -9,9 +9,9 @@ import { takeOf } from "../player/take.js";
 
 const KEY = "risorius-session";
 const NAME = /^[a-z0-9][a-z0-9-]{0,39}$/;
-const WAIT = 600; // ms after which what the page shows is kept with the project
+const WAIT = 600; // ms after which the page's view is saved with the project
 
-/** @returns {string} the session in the address, else the one that was open last, else a new one */
+/** @returns {string} the session in the address, else the last open one, else a new one */
 export function sessionName() {
   const asked = location.hash.slice(1);
   const known = localStorage.getItem(KEY) ?? "";
@@ -22,7 +22,7 @@ export function sessionName() {
   return name;
 }
 
-/** Open the session now and whenever the socket is back, and keep clock and page in step with it. @param {Studio} studio */
+/** Open the session now and after every reconnection, and keep the clock and the page in step with it. @param {Studio} studio */
 export function openSession(studio) {
   const { store, connection, clock, notify } = studio;
   window.addEventListener("hashchange", () => location.reload());
@@ -55,7 +55,7 @@ async function open(studio) {
     keepDraft(studio);
     showView(studio, state.view);
   } else if (take?.take !== before?.take && isDraft(store)) {
-    notify("Another page has changed this session. What you have written is kept.");
+    notify("Another page changed this session. Your draft is kept.");
   }
   for (const line of state.notes) notify(line);
 }
@@ -66,7 +66,7 @@ async function loadCatalogue(store) {
   store.set({ catalogue, choices: store.get("choices") ?? catalogue.choices });
 }
 
-/** Keep with the project what the page shows: panel, camera, playhead. @param {Studio} studio */
+/** Save the page's view with the project: panel, camera, playhead. @param {Studio} studio */
 function keepView({ store, connection, clock, view }) {
   const keep = settled(() => {
     if (store.get("link") !== "up" || store.get("take") === null || clock.playing) return;

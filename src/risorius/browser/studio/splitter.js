@@ -1,10 +1,10 @@
-/** The bar between stage and timeline: it moves by pointer and by arrow keys, and stays where it was left. */
+/** The bar between stage and timeline: it moves by pointer and arrow keys, and its place is remembered. */
 
 import { there } from "../parts/dom.js";
 
 const KEY = "risorius-timeline";
 const LOWEST = 120; // px of the timeline's height
-const LEFT_ABOVE = 260; // px that the stage keeps
+const LEFT_ABOVE = 260; // px left for the stage
 const STEP = 24;
 
 /** @param {HTMLElement} bar */
@@ -38,7 +38,7 @@ export function mountSplitter(bar) {
     localStorage.setItem(KEY, String(now));
   }
 
-  /** Say a height within the bounds to screen readers, and return it. @param {number} height */
+  /** Limit a height, tell it to screen readers, and return it. @param {number} height */
   function tell(height) {
     const highest = Math.max(LOWEST, window.innerHeight - LEFT_ABOVE);
     const now = Math.round(Math.min(Math.max(height, LOWEST), highest));

@@ -1,7 +1,7 @@
 /**
- * The page's state: one flat object of named parts, and who wants to know when one is replaced.
+ * The page's state: one flat object of named parts, and the listeners to call when a part is replaced.
  *
- * Parts are never changed in place: `store.set({take})` replaces, and calls everyone who watches `take`
+ * Parts are never changed in place: `store.set({take})` replaces one, and calls each listener of `take`
  * once, after all parts of the same `set` are in place.
  *
  * @typedef {ReturnType<typeof import("../player/take.js").takeOf>} Take
@@ -10,25 +10,25 @@
  * @property {string} session the session's id; "" until open
  * @property {"up" | "down"} link
  * @property {string} saved "saved", "saving", or a line that says why it failed
- * @property {Required<import("../wire.js").Source>} source what is to be performed
+ * @property {Required<import("../wire.js").Source>} source text or recording to perform
  * @property {import("../wire.js").Choices} choices the settings of the next performance
  * @property {Required<import("../wire.js").EmotionSpan>[]} emotions
- * @property {"saved" | "saving"} draft whether the server has what is written but not performed
- * @property {import("../types.js").Written | null} aside what was written and put aside for what is performed
+ * @property {"saved" | "saving"} draft whether the server has saved the draft
+ * @property {import("../types.js").Written | null} aside the draft that was put aside while the performed text is shown
  * @property {Take | null} take the current take; null before the first
- * @property {{take: number, first: number, last: number} | null} faces frames whose faces are other than before
- * @property {string} busy a sentence on what is being waited for; "" when nothing is
- * @property {boolean} stoppable whether what is being waited for can be stopped
- * @property {import("../types.js").Selection} selection what was last pointed at
+ * @property {{take: number, first: number, last: number} | null} faces frames whose faces changed
+ * @property {string} busy a sentence that names the work in progress; "" if there is none
+ * @property {boolean} stoppable whether the work in progress can be stopped
+ * @property {import("../types.js").Selection} selection the selected part of the timeline
  * @property {(Take & {label: string}) | null} other the second take of a comparison
- * @property {boolean} preview whether the timeline shows a change that is not made yet
- * @property {import("../types.js").DialledFace | null} dial what dials hold, as `Dial` of the wire; null while the take is shown
- * @property {Record<string, number> | null} dialled the values of all parameters of that face; null until the server tells
- * @property {Map<string, Float32Array | null> | null} tried the curves that such a change makes other; null where one comes to rest
- * @property {string[]} recordings names of the recordings that the session has
+ * @property {boolean} preview whether the timeline previews an edit
+ * @property {import("../types.js").DialledFace | null} dial the dialled face, as the wire's `Dial`; null while the take is shown
+ * @property {Record<string, number> | null} dialled the values of all its parameters; null until the server has sent them
+ * @property {Map<string, Float32Array | null> | null} tried the curves that the previewed edit changes; null for a parameter that is then at rest
+ * @property {string[]} recordings names of the session's recordings
  * @property {string[]} ownEmotions names of emotions saved in the session
  * @property {Record<string, Record<string, number>>} poses poses saved in the session
- * @property {import("../wire.js").GraphsView | null} graphs which muscles' graphs the timeline shows, and which lanes are folded; null until chosen
+ * @property {import("../wire.js").GraphsView | null} graphs muscles whose graphs the timeline shows, and folded lanes; null until chosen
  * @property {string} tab name of the panel that is open
  */
 export class Store {

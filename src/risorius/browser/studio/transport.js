@@ -1,4 +1,4 @@
-/** Playing: play and pause, steps, place, speed, loop. */
+/** Playback controls: play and pause, steps, position, speed, loop. */
 
 import { glyph } from "../parts/glyphs.js";
 import { canPlay, playOrPause } from "./playing.js";
@@ -57,7 +57,7 @@ export function mountTransport(element, studio) {
     place.show(clock.time, clock.duration, `${clock.time.toFixed(2)} seconds`);
     time.value = `${stamp(clock.time)} / ${stamp(clock.duration)} · ${frame}`;
     const last = `${stamp(clock.duration)} / ${stamp(clock.duration)} · ${Math.round(clock.duration * clock.fps)}`;
-    // As wide as it will ever be: the scrubber beside it must not move while it plays.
+    // Its maximum width, so that the scrubber beside it does not move during playback.
     time.style.minWidth = `${last.length}ch`;
     time.title = `frame ${frame} of ${Math.round(clock.duration * clock.fps)}`;
   }
@@ -73,13 +73,13 @@ export function mountTransport(element, studio) {
   }
 }
 
-/** Repeat everything, or stop repeating. @param {Clock} clock */
+/** Turn looping of the whole take on or off. @param {Clock} clock */
 export function toggleLoop(clock) {
   clock.setLoop(clock.loop ? null : [0, clock.duration]);
 }
 
 /** @param {number} time seconds @returns {string} such as 0:03.250 */
-export function stamp(time) {
+function stamp(time) {
   const minutes = Math.floor(time / 60);
   const seconds = time - 60 * minutes;
   return `${minutes}:${seconds.toFixed(2).padStart(5, "0")}`;

@@ -1,4 +1,4 @@
-/** What lies over the stage: buttons for the cameras, keys on the picture, who is who, what is awaited. */
+/** Controls over the stage: camera buttons, keys on the picture, names of the heads, notes on progress. */
 
 import { VIEWS } from "../stage/cameras.js";
 import { graphics } from "../stage/graphics.js";
@@ -10,7 +10,7 @@ import { glyph } from "../parts/glyphs.js";
 
 const STEP = 8; // degrees a key turns the head by
 const ZOOM = 1.1;
-const PATIENCE = 400; // ms for which a face may be missing before that is said
+const PATIENCE = 400; // ms for which a face may be missing before the page says so
 
 /** @param {HTMLElement} element @param {HTMLElement} note @param {HTMLElement} names @param {import("./studio.js").Studio} studio */
 export function mountViews(element, note, names, studio) {
@@ -37,7 +37,7 @@ export function mountViews(element, note, names, studio) {
   mountReason(element);
 }
 
-/** The button that lets the stage fill the screen. @param {HTMLElement} stage */
+/** Return the full-screen button. @param {HTMLElement} stage */
 function fullScreen(stage) {
   const label = "Full screen (F)";
   const shown = () => document.fullscreenElement === stage;
@@ -47,13 +47,13 @@ function fullScreen(stage) {
   return wide;
 }
 
-/** Let the stage fill the screen, or no longer. @param {HTMLElement} stage */
+/** Turn full screen on or off. @param {HTMLElement} stage */
 export function toggleFullScreen(stage) {
   const done = document.fullscreenElement ? document.exitFullscreen() : stage.requestFullscreen();
   done.catch(() => {}); // where the browser does not allow it, nothing happens
 }
 
-/** Why the server draws, where it does. @type {Record<import("../stage/graphics.js").Graphics, string>} */
+/** The reason to show when the server draws the pictures. @type {Record<import("../stage/graphics.js").Graphics, string>} */
 const REASONS = {
   card: "",
   coarse: "",
@@ -61,7 +61,7 @@ const REASONS = {
   none: "This browser has no WebGL 2: the server draws draft pictures.",
 };
 
-/** Say why the stage shows pictures of the server. @param {HTMLElement} element */
+/** Show why the stage shows pictures drawn by the server. @param {HTMLElement} element */
 function mountReason(element) {
   const reason = REASONS[graphics()];
   if (reason) element.after(make("p", { id: "drawn-by" }, reason));

@@ -1,13 +1,13 @@
 /**
- * What may take long: what is being done is shown, how far it is, and it can be stopped.
+ * Long work: its name and progress are shown, and it can be stopped.
  *
- * Several may be under way; the one that began last is shown (`busy` of the store), and is stopped first.
+ * Several tasks may run; the last to start is shown (`busy` in the store), and is stopped first.
  */
 
 export class Work {
   #store;
   #connection;
-  #doing = new Map(); // by the request's number, or a symbol: what is said, and what stops it
+  #doing = new Map(); // by the request's number or a symbol: the text shown, and the function that stops it
 
   /** @param {import("./store.js").Store} store @param {import("./connection.js").Connection} connection */
   constructor(store, connection) {
@@ -22,7 +22,7 @@ export class Work {
   }
 
   /**
-   * @param {string} verb @param {Record<string, any>} fields @param {string} said before its progress is told
+   * @param {string} verb @param {Record<string, any>} fields @param {string} said until its progress is reported
    * @returns {Promise<any>} the server's answer
    */
   async request(verb, fields, said) {
@@ -41,7 +41,7 @@ export class Work {
   }
 
   /**
-   * Do what the server does not report on. @template T
+   * Run work whose progress the server does not report. @template T
    * @param {string} said @param {(signal: AbortSignal) => Promise<T>} work ends when the signal says so
    * @returns {Promise<T>}
    */
@@ -55,7 +55,7 @@ export class Work {
     }
   }
 
-  /** Stop what began last. */
+  /** Stop the work that began last. */
   stop() {
     [...this.#doing.values()].at(-1)?.stop();
   }

@@ -4,7 +4,7 @@ import { moved, pulled, stretchedTogether, timesOf } from "./model/times.js";
 /** @import {Block, BodyRow} from "../types.js" */
 /** @import {Marker} from "../wire.js" */
 
-const PATIENCE = 350; // ms without a key after which what was done by keys is sent
+const PATIENCE = 350; // ms after the last key press until keyboard edits are sent
 
 /**
  * @typedef {Object} Parts
@@ -16,18 +16,18 @@ const PATIENCE = 350; // ms without a key after which what was done by keys is s
  * @property {import("../studio/actions.js").Actions} actions
  * @property {import("../studio/store.js").Store} store
  * @property {HTMLElement} scroller
- * @property {() => void} repaint draws anew with the page's next frame
- * @property {() => void} arrange lays out anew
+ * @property {() => void} repaint redraws with the page's next frame
+ * @property {() => void} arrange updates the layout
  */
 
 /**
- * What can be done on the timeline, by pointer, keys or buttons alike.
+ * The timeline's actions, shared by pointer, keys and buttons.
  */
 export class TimelineController {
   snaps = true;
   follows = true;
   draws = false; // whether a pointer draws on graphs
-  /** @type {string | null} the block that was last selected here, and not elsewhere on the page */
+  /** @type {string | null} the block that was last selected in the timeline, not elsewhere on the page */
   chosen = null;
   /** @type {Block | null} the block whose times were changed by keys and not sent yet */
   #nudged = null;
@@ -76,7 +76,7 @@ export class TimelineController {
     this.repaint();
   }
 
-  /** Select a block besides those that are selected, or no longer. @param {Block} block */
+  /** Add a block to the selection, or remove it. @param {Block} block */
   toggle(block) {
     const { blocks } = this;
     const rest = blocks.filter(({ id }) => id !== block.id);
@@ -117,9 +117,9 @@ export class TimelineController {
   }
 
   /**
-   * Change the selected block by some frames; sent once the keys rest.
+   * Change the selected block by some frames; sent after a pause in key presses.
    * @param {number} frames
-   * @param {"move" | 0 | 1 | 2 | 3} what all of it, or one of its times
+   * @param {"move" | 0 | 1 | 2 | 3} what "move", or the index of one of its times
    */
   nudge(what, frames) {
     const { block, blocks } = this;
@@ -140,7 +140,7 @@ export class TimelineController {
   }
 
   /**
-   * Start and end are those of the selection as a whole, which is stretched; onset and offset those of each.
+   * Start and end stretch the selection as a whole; onset and offset change in each block.
    * @param {Block[]} blocks @param {"move" | 0 | 1 | 2 | 3} what @param {number} delta @param {number} duration
    */
   #nudgeAll(blocks, what, delta, duration) {
@@ -158,7 +158,7 @@ export class TimelineController {
     this.#timer = setTimeout(() => this.settle(), PATIENCE);
   }
 
-  /** Send what was changed by keys. @returns {Promise<any>} done when the answer is here */
+  /** Send the keyboard edits. @returns {Promise<any>} resolves when the answer has arrived */
   async settle() {
     clearTimeout(this.#timer);
     const block = this.#nudged;
@@ -169,7 +169,7 @@ export class TimelineController {
     if (block) await this.edits.send(block);
   }
 
-  /** Give the selected block one of its times by number, in seconds. @param {number} what @param {number} time */
+  /** Set one of the selected block's times, in seconds. @param {number} what @param {number} time */
   setTime(what, time) {
     const { block } = this;
     if (block === null) return;
@@ -194,7 +194,7 @@ export class TimelineController {
     } else this.edits.remove(block);
   }
 
-  /** Both sides of a parameter where their keys are the same, else itself alone. @param {string} parameter */
+  /** Return both sides of a parameter if their keys are the same, else the parameter alone. @param {string} parameter */
   partners(parameter) {
     const { base } = this.scene.model.parameter(parameter);
     const keys = JSON.stringify(this.edits.keys(parameter));
@@ -209,7 +209,7 @@ export class TimelineController {
     return this.edits.sendKeys(this.partners(parameter), keys);
   }
 
-  /** Keep the selected movements, to be pasted here or in another session. @returns {Promise<boolean>} whether there were any */
+  /** Copy the selected movements, to be pasted here or in another session. @returns {Promise<boolean>} whether there were any */
   async copy() {
     await this.settle();
     return copy(this);
@@ -220,7 +220,7 @@ export class TimelineController {
     if (await this.copy()) this.remove();
   }
 
-  /** Add what was copied from the playhead on, as one change, and select it. */
+  /** Paste the copied movements at the playhead, as one change, and select them. */
   async paste() {
     await this.settle();
     const movements = clipboard();
@@ -234,7 +234,7 @@ export class TimelineController {
   }
 
   /**
-   * Mute, solo or lock a lane, or no longer.
+   * Turn muting, solo or locking of a lane on or off.
    * @param {"muted" | "solo" | "locked"} state @param {string} channel
    */
   async turnLane(state, channel) {
@@ -283,7 +283,7 @@ export class TimelineController {
     await this.actions.redo();
   }
 
-  /** Bring a block into sight, sideways and up or down. @param {Block} block */
+  /** Scroll a block into view. @param {Block} block */
   reveal(block) {
     const shown = this.edits.shown(block) ?? block;
     this.scene.view.reveal(shown.start, shown.end);
@@ -291,7 +291,7 @@ export class TimelineController {
     this.repaint();
   }
 
-  /** Lay all movements of a lane on one row, or apart again. @param {string} channel */
+  /** Fold a lane to one row, or unfold it. @param {string} channel */
   fold(channel) {
     const { folded } = this.scene;
     if (!folded.delete(channel)) folded.add(channel);
@@ -307,7 +307,7 @@ export class TimelineController {
     if (top !== scroll) this.scroller.scrollTop = top * unit;
   }
 
-  /** Repeat the word that is said at a time. @param {number} time */
+  /** Loop over the word at a time. @param {number} time */
   loopWord(time) {
     const word = this.scene.model.speech?.words.at(time);
     if (word) this.clock.setLoop([word.start, word.end]);

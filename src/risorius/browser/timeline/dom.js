@@ -2,7 +2,7 @@ import { foundIn, make, spoken } from "../parts/dom.js";
 /** @import {Attributes, Child} from "../types.js" */
 
 /**
- * An element as `make` makes it; `style` are properties by name, which need no style attribute.
+ * Make an element like `make`; `style` sets style properties by name, without a style attribute.
  * @template {keyof HTMLElementTagNameMap} T @param {T} tag @param {Attributes} [given] @param {...Child} children
  */
 export function h(tag, { style = {}, ...given } = {}, ...children) {

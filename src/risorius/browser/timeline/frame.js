@@ -10,7 +10,7 @@ import { shortcuts } from "./shortcuts.js";
 import { Tools } from "./lists/tools.js";
 import { Why } from "./lists/why.js";
 
-/** The elements that the timeline is made of, not yet put together. */
+/** The elements of the timeline, not yet assembled. */
 export function frameOf() {
   const canvas = h("canvas", { id: "tl-canvas", tabindex: "-1", role: "img" });
   const playhead = h("div", { class: "tl-playhead" });
@@ -26,7 +26,7 @@ export function frameOf() {
 }
 
 /**
- * Put the elements together, with all that shows and asks something around the canvas.
+ * Assemble the elements, with the tools and lists around the canvas.
  *
  * @param {ReturnType<typeof frameOf>} frame
  * @param {import("./controller.js").TimelineController} controller

@@ -18,15 +18,15 @@ export { TIMELINE_KEYS } from "./shortcuts.js";
 /**
  * Show the timeline of a take.
  *
- * @param {HTMLElement} element where it is shown; it fills the element, and scrolls within it
- * @param {import("../studio/studio.js").Studio & {explanation: HTMLElement}} studio and where explanations are shown
+ * @param {HTMLElement} element parent, which the timeline fills and scrolls within
+ * @param {import("../studio/studio.js").Studio & {explanation: HTMLElement}} studio and element for explanations
  * @returns {Timeline} also the element's `timeline`
  */
 export function mountTimeline(element, studio) {
   return Object.assign(element, { timeline: new Timeline(element, studio) }).timeline;
 }
 
-/** Whether two takes are of the same line, so that what is in sight may stay. @param {Take} one @param {Take} other */
+/** Whether two takes are of the same line; then scroll and zoom stay. @param {Take} one @param {Take} other */
 function sameLine(one, other) {
   return one.duration === other.duration && one.speech?.text === other.speech?.text;
 }
@@ -41,7 +41,7 @@ class Timeline {
   #edits;
   #parts;
   #around;
-  #painting = false; // whether the page's next frame draws anew
+  #painting = false; // whether the page's next frame redraws
   #said;
   /** @type {object | null} */
   #kept = null;
@@ -66,17 +66,17 @@ class Timeline {
     this.#listen();
   }
 
-  /** What is drawn and how much of it: for tests and for the curious. */
+  /** The scene: for tests, and for the browser's console. */
   get scene() {
     return this.#scene;
   }
 
-  /** What the user can do, by name. */
+  /** The user's actions by name. */
   get controller() {
     return this.#controller;
   }
 
-  /** Draw anew with the page's next frame. */
+  /** Redraw with the page's next frame. */
   repaint() {
     if (this.#painting) return;
     this.#painting = true;
@@ -105,7 +105,7 @@ class Timeline {
     });
   }
 
-  /** Take up the store's take. */
+  /** Show the store's take. */
   #takeUp() {
     const [take, catalogue] = [this.#store.get("take"), this.#store.get("catalogue")];
     const before = this.#scene.model;
@@ -127,7 +127,7 @@ class Timeline {
   }
 
   /**
-   * A selected movement that was moved or stretched is explained where it is now, not where it was.
+   * Explain a moved or stretched selection at its new time.
    * @param {Model | null} before
    */
   #follow(before) {
@@ -140,14 +140,14 @@ class Timeline {
     if (time === null || time < now.start || time > now.end || now.start !== was.start) this.#controller.choose(now);
   }
 
-  /** The user has other graphs or lanes: lay out, and have it kept with the project. */
+  /** Graphs or lanes changed: update the layout, and save them with the project. */
   #rearrange() {
     this.#kept = { ...this.#graphs.kept, folded: [...this.#scene.folded] };
     this.#arrange();
     this.#store.set({ graphs: this.#kept });
   }
 
-  /** Show what was kept with the project. */
+  /** Show the graphs and lanes saved with the project. */
   #restore() {
     const kept = this.#store.get("graphs");
     if (!kept || kept === this.#kept || !this.#scene.model) return;
@@ -199,7 +199,7 @@ class Timeline {
     if (this.#scene.selected !== null && movement !== this.#controller.chosen) {
       this.#controller.chosen = movement;
       const { block } = this.#controller;
-      if (block) this.#controller.reveal(block); // it was pointed at elsewhere on the page
+      if (block) this.#controller.reveal(block); // it was selected elsewhere on the page
     }
     this.repaint();
   }

@@ -1,5 +1,5 @@
 /**
- * Keys of the timeline that need no block in focus; they reach only what the timeline itself does not use.
+ * Keys of the timeline that need no focused block; they are handled only if the timeline itself does not use them.
  */
 
 import { foundIn } from "./dom.js";
@@ -7,21 +7,21 @@ import { nudgeEdge } from "./edit/edges.js";
 
 const ZOOM = 1.4;
 
-/** What the page's list of keys says of the timeline. */
+/** The timeline's entries in the page's list of keys. */
 export const TIMELINE_KEYS = [
   { keys: "Ctrl wheel, + −", does: "Timeline: zoom" },
   { keys: "N", does: "Timeline: add a movement at the playhead" },
-  { keys: "[ ]", does: "Timeline: the edge of a word or phone at the playhead earlier, later" },
+  { keys: "[ ]", does: "Timeline: move the word or phone boundary at the playhead earlier or later" },
   { keys: "M", does: "Timeline: set a marker at the playhead" },
-  { keys: "< >", does: "Timeline: to the marker before, after" },
-  { keys: "D", does: "Timeline: drawing on the graphs on or off" },
+  { keys: "< >", does: "Timeline: go to the previous or next marker" },
+  { keys: "D", does: "Timeline: turn drawing on graphs on or off" },
   { keys: "↑ ↓", does: "Movements: previous, next" },
   { keys: "Page ↑ ↓", does: "Movements: previous lane, next lane" },
   { keys: "← →", does: "Movements: move by a frame" },
   { keys: "Shift ← →", does: "Movements: stretch the end" },
   { keys: "Alt ← →", does: "Movements: stretch the start" },
-  { keys: "Ctrl ← →", does: "Movements: longer or shorter onset" },
-  { keys: "Ctrl Shift ← →", does: "Movements: longer or shorter offset" },
+  { keys: "Ctrl ← →", does: "Movements: lengthen or shorten the onset" },
+  { keys: "Ctrl Shift ← →", does: "Movements: lengthen or shorten the offset" },
   { keys: "Shift click, drag a box", does: "Movements: select several, to move, stretch, copy and delete them together" },
   { keys: "Ctrl A", does: "Movements: select all of the lane" },
   { keys: "Ctrl C, Ctrl X, Ctrl V", does: "Movements: copy, cut, paste at the playhead" },

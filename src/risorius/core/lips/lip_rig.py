@@ -119,34 +119,34 @@ class LipRig:
         articulations = [tuple((n, v) for n, v in of.items() if n in ARTICULATORS) for of in targets]
         if len(self._known) > _MOST_KNOWN:
             self._known.clear()
-        known = {own: of for own in articulations if (of := self._known.get(own)) is not None}
+        actives = {own: of for own in articulations if (of := self._known.get(own)) is not None}
         alike: dict[tuple[str, ...], list[_Targets]] = {}
         for own in dict.fromkeys(articulations):
-            if own not in known:
+            if own not in actives:
                 alike.setdefault(tuple(name for name, _ in own), []).append(own)
         for names, group in alike.items():
-            known.update((own, {}) for own in group)
+            actives.update((own, {}) for own in group)
             if names:
                 table = np.array([[value for _, value in own] for own in group])
                 for name, values in self._actives(dict(zip(names, table.T, strict=True))).items():
                     for own, value in zip(group, values.tolist(), strict=True):
-                        known[own][name] = value
-        self._known.update(known)
-        return [dict(known[own]) for own in articulations]
+                        actives[own][name] = value
+        self._known.update(actives)
+        return [dict(actives[own]) for own in articulations]
 
-    def _actives(self, wanted: dict[str, Array]) -> dict[str, Array]:
+    def _actives(self, targets: dict[str, Array]) -> dict[str, Array]:
         """Return what `actives` does for targets of the same articulators, (n,) each."""
-        count = len(next(iter(wanted.values())))
-        jaw = self._jaw(wanted.get(JAW, np.zeros(count)))
-        wanted.setdefault(APERTURE, np.maximum(self.passive(APERTURE, {"jaw": jaw}), 0.0))
-        blended = {name: wanted[name] for name in (JAW, APERTURE, UPPER) if name in wanted}
-        added = [name for name in (WIDTH, PROTRUSION, CORNERS) if name in wanted]
+        count = len(next(iter(targets.values())))
+        jaw = self._jaw(targets.get(JAW, np.zeros(count)))
+        targets.setdefault(APERTURE, np.maximum(self.passive(APERTURE, {"jaw": jaw}), 0.0))
+        blended = {name: targets[name] for name in (JAW, APERTURE, UPPER) if name in targets}
+        added = [name for name in (WIDTH, PROTRUSION, CORNERS) if name in targets]
         for _ in range(_ROUNDS if added else 0):
             controls = self.controls(lambda name: blended.get(name, np.zeros(count)), blended)
             alone = {name: controls[name] for name in controls if name in _OPENING}
             for name in added:
-                blended[name] = wanted[name] - self.passive(name, alone)
-            if PROTRUSION not in wanted:
+                blended[name] = targets[name] - self.passive(name, alone)
+            if PROTRUSION not in targets:
                 # Only rounding narrows a mouth, and a phone without a protrusion is not rounded.
                 blended[WIDTH] = np.maximum(blended.get(WIDTH, np.zeros(count)), 0.0)
         return blended
@@ -202,7 +202,7 @@ class LipRig:
         missing = average(APERTURE) - powers[0]
         # Beside a low jaw and rounding the fit finds little effect at first: a small gap would need a leap.
         powers[1] = np.maximum(powers[1], _LEAST_EFFECT)
-        controls["open"] = _solve(powers, positive_part(missing, PARTED))
+        controls["open"] = solve(powers, positive_part(missing, PARTED))
         controls[SEAL] = seal_of(positive_part(-missing, PARTED), np.maximum(average(APERTURE), 0.0))
         return controls
 
@@ -219,7 +219,7 @@ class LipRig:
         return self.passive(APERTURE, controls)
 
     def _jaw(self, drop: Array) -> Array:
-        return _solve(self._along(JAW, "jaw", {}), positive_part(drop, ROUNDED))
+        return solve(self._along(JAW, "jaw", {}), positive_part(drop, ROUNDED))
 
     def _raising(
         self, controls: Mapping[str, Array], average: Averages, articulators: Collection[str]
@@ -303,14 +303,14 @@ def _value(polynomial: _Sum | float, controls: Mapping[str, Array]) -> Array | f
 def _plan(rig: LipRig, measure: str, control: str, others: frozenset[str]) -> tuple[_Sum | float, ...]:
     """Return the polynomials in `others` by which a measure depends on each power of a control."""
     names = [*CONTROLS, ""]
-    known = {control, *others} - {""}
+    variables = {control, *others} - {""}
     powers: list[dict[tuple[str, ...], float]] = [{} for _ in range(DEGREE + 1)]
     for term, factor in zip(rig.terms.tolist(), rig.coefficients[:, MEASURES.index(measure)], strict=True):
         factors = [names[i] for i in term if i != NONE]
-        if factor != 0.0 and known.issuperset(factors):
-            rest = tuple(name for name in factors if name != control)
-            terms = powers[len(factors) - len(rest)]
-            terms[rest] = terms.get(rest, 0.0) + float(factor)
+        if factor != 0.0 and variables.issuperset(factors):
+            remaining = tuple(name for name in factors if name != control)
+            terms = powers[len(factors) - len(remaining)]
+            terms[remaining] = terms.get(remaining, 0.0) + float(factor)
     return tuple(map(_nested, powers))
 
 
@@ -320,39 +320,39 @@ def _nested(terms: Mapping[tuple[str, ...], float]) -> _Sum | float:
     if not counts:
         return terms.get((), 0.0)
     control = max(counts, key=lambda name: (counts[name], name))
-    inner, rest = {}, {}
+    inner, outer = {}, {}
     for term, factor in terms.items():
         if control in term:
             place = term.index(control)
             inner[term[:place] + term[place + 1 :]] = factor
         else:
-            rest[term] = factor
-    return _Sum(control, _nested(inner), _nested(rest))
+            outer[term] = factor
+    return _Sum(control, _nested(inner), _nested(outer))
 
 
-def _solve(powers: Powers, wanted: Array) -> Array:
-    """Return x in 0..1 with Σ powers[k] x^k = wanted over k >= 1, or the nearest end without a solution.
+def solve(powers: Powers, values: Array) -> Array:
+    """Return x in 0..1 with Σ powers[k] x^k = values over k >= 1, or the nearest end without a solution.
 
     Newton's method within a bracket, because a muscle beside a stronger one hardly moves anything at first.
-    The solution for `wanted` 0 is exactly 0.
+    The solution for `values` 0 is exactly 0.
     """
-    return _solved({"": (powers, wanted)})[""]
+    return _solved({"": (powers, values)})[""]
 
 
 def _solved(equations: Mapping[str, _Equation]) -> dict[str, Array]:
     """Return the solutions of some equations by name: all at once, since most have few places to solve."""
-    places = [np.flatnonzero(wanted) for _, wanted in equations.values()]
+    places = [np.flatnonzero(values) for _, values in equations.values()]
     ends = np.cumsum([0, *map(len, places)]).tolist()
     table = np.empty((DEGREE + 1, ends[-1]))
     parts = [slice(*ends[k : k + 2]) for k in range(len(places))]
-    for (powers, wanted), place, part in zip(equations.values(), places, parts, strict=True):
-        for row, column in zip(table, (wanted, *powers[1:]), strict=True):
+    for (powers, values), place, part in zip(equations.values(), places, parts, strict=True):
+        for row, column in zip(table, (values, *powers[1:]), strict=True):
             row[part] = column[place] if np.ndim(column) else column
-    found = _newton(*table)
+    roots = _newton(*table)
     solutions = {}
-    for (name, (_, wanted)), place, part in zip(equations.items(), places, parts, strict=True):
-        solution = solutions[name] = np.zeros(len(wanted))
-        solution[place] = found[part]
+    for (name, (_, values)), place, part in zip(equations.items(), places, parts, strict=True):
+        solution = solutions[name] = np.zeros(len(values))
+        solution[place] = roots[part]
     return solutions
 
 
@@ -362,32 +362,32 @@ def _slope(powers: Powers, x: Array) -> Array:
     return np.asarray(first + x * (2.0 * second + 3.0 * x * third))
 
 
-def _newton(wanted: Array, first: Array, second: Array, third: Array) -> Array:
-    """Return the solutions of `_solve` for `wanted` (n,), none of them 0."""
-    if not len(wanted):
-        return wanted
+def _newton(values: Array, first: Array, second: Array, third: Array) -> Array:
+    """Return the solutions of `solve` for `values` (n,), none of them 0."""
+    if not len(values):
+        return values
     # Decreasing polynomials are solved with their signs reversed.
     turned = np.where(first + second + third < 0.0, -1.0, 1.0)
-    wanted, first, second, third = (part * turned for part in (wanted, first, second, third))
+    values, first, second, third = (part * turned for part in (values, first, second, third))
     twice, thrice = 2.0 * second, 3.0 * third
-    low, high = np.zeros(len(wanted)), np.ones(len(wanted))
+    low, high = np.zeros(len(values)), np.ones(len(values))
     with np.errstate(divide="ignore", invalid="ignore"):
-        x = np.minimum(np.maximum(wanted / (first + second + third), 0.0), 1.0)
-        solution, going_on = x, np.arange(len(wanted))
+        x = np.minimum(np.maximum(values / (first + second + third), 0.0), 1.0)
+        solution, going_on = x, np.arange(len(values))
         for step in range(_STEPS):
             before = x
-            missing = wanted - x * (first + x * (second + x * third))
+            missing = values - x * (first + x * (second + x * third))
             beyond = missing < 0.0
             low, high = np.where(beyond, low, x), np.where(beyond, x, high)
             newton = x + missing / (first + x * (twice + x * thrice))
             inside = (newton >= low) & (newton <= high)
             x = newton if inside.all() else np.where(inside, newton, 0.5 * (low + high))
             if step + 1 == _MOST_NEEDED:
-                # Each by itself, so that no solution depends on which others are wanted.
+                # Each by itself, so that no solution depends on which others are solved.
                 solution, going_on = x, np.flatnonzero(np.abs(x - before) > _NEAR)
                 if not len(going_on):
                     return solution
-                state = (first, second, third, twice, thrice, wanted, low, high, x)
-                first, second, third, twice, thrice, wanted, low, high, x = (part[going_on] for part in state)
+                state = (first, second, third, twice, thrice, values, low, high, x)
+                first, second, third, twice, thrice, values, low, high, x = (part[going_on] for part in state)
     solution[going_on] = x
     return solution

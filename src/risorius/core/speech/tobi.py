@@ -26,12 +26,7 @@ def boundary_tone(text: str) -> str:
     "L-H%".
     """
     label = text.strip().upper()
-    label = next((known for known in BOUNDARY_TONES if label == known.replace("-", "", 1)), label)
+    label = next((tone for tone in BOUNDARY_TONES if label == tone.replace("-", "", 1)), label)
     if label not in (*BOUNDARY_TONES, UNKNOWN_BOUNDARY):
         raise ParameterError(unknown("boundary tone", text, BOUNDARY_TONES))
     return label
-
-
-def is_intonational(label: str) -> bool:
-    """Return whether a boundary ends an intonational phrase, not only an intermediate one."""
-    return label.endswith("%")

@@ -20,11 +20,11 @@ def written_words(utterance: Utterance) -> list[str]:
 def _starts(text: str, words: Sequence[Word]) -> Iterator[int]:
     at, lowered = 0, text.lower()
     for number, word in enumerate(words):
-        found = lowered.find(word.text.lower(), at)
-        if found < 0:
+        start = lowered.find(word.text.lower(), at)
+        if start < 0:
             return
-        end = found + len(word.text)
-        while found > at and not text[found - 1].isspace():
-            found -= 1  # what opens before a word, as a quotation mark
-        yield found if number else 0
+        end = start + len(word.text)
+        while start > at and not text[start - 1].isspace():
+            start -= 1  # what opens before a word, as a quotation mark
+        yield start if number else 0
         at = end

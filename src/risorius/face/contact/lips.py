@@ -109,15 +109,15 @@ class Lips:
                 self._restore(skin, apart, eased)
                 self._matrix.times(skin, self._points)
 
-    def _restore(self, skin: Array, apart: Array, held: Array) -> None:
-        """Bring the places of the line back to how far they were `apart` (s, 4) by the shares `held` (s, 1).
+    def _restore(self, skin: Array, apart: Array, shares: Array) -> None:
+        """Restore `shares` (s, 1) of the distances `apart` (s, 4) between the lips along the line.
 
         Lips that are pushed apart at the corners would else move at their middle, too, by some tenths of a
         millimetre from frame to frame. What is left goes to `apart`: brought back by their share again and
         again, places that are hardly open would be pushed into the other lip.
         """
         moved = self._line.places(self._matrix.times(skin, self._points))
-        way = (apart - moved) * held
+        way = (apart - moved) * shares
         self._line.move(skin, way)
         np.add(moved, way, out=apart)
 

@@ -92,7 +92,7 @@ class HeadFile:
 
     def joint_fields(self) -> dict[tuple[str, str], str]:
         """Return the fields that two muscles move together, by their names; older files have none."""
-        found = {}
+        names = {}
         for array in self.arrays:
             name, _, part = array.rpartition("/")
             if array.startswith(JOINT) and part == "vertices":
@@ -101,8 +101,8 @@ class HeadFile:
                     raise self.error(
                         array, f"is not named by two parameters; expected {JOINT}FIRST{AND}SECOND"
                     )
-                found[first, second] = name
-        return found
+                names[first, second] = name
+        return names
 
     def _raw(self, name: str, shape: ArrayShape) -> AnyArray:
         if name not in self.arrays:

@@ -81,8 +81,8 @@ class Identity:
 
     def at(self, age: float) -> Identity:
         """Return the same person at another age in years: of the hairs with a colour some more are grey."""
-        kept = (1.0 - self.looks.grey) * min(1.0, (1.0 - grey_share(age)) / (1.0 - grey_share(self.age)))
-        return replace(self, age=age, looks=replace(self.looks, grey=1.0 - kept))
+        coloured = (1.0 - self.looks.grey) * min(1.0, (1.0 - grey_share(age)) / (1.0 - grey_share(self.age)))
+        return replace(self, age=age, looks=replace(self.looks, grey=1.0 - coloured))
 
 
 UNNAMED = Identity()  # the identity of a head whose folder has no identity.toml

@@ -29,14 +29,14 @@ def least_squares(normal: Array, right: Array, begin: Array) -> Array:
     count = len(right)
     state, weights = np.zeros((2, count), np.bool_), np.zeros(count)
     np.greater(begin, 0.0, out=state[0])
-    _search(
+    search(
         normal, right, np.empty((count + 1, count)), np.empty(count, np.int64), state[0], state[1], weights
     )
     return weights
 
 
 @kernel("f8[:, :], f8[:], f8[:, :], i8[:], b1[:], b1[:], f8[:]", arithmetic="sums")
-def _search(
+def search(
     normal: Array,
     right: Array,
     scratch: Array,

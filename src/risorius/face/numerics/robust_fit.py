@@ -73,7 +73,7 @@ class RobustFit:
     def at(self, weights: Array) -> SurfaceCost:
         """Return the cost of some weights (s,), and how far they leave the vertices."""
         away, distance = np.empty_like(self._left), np.empty(len(self._left))
-        penalty = _leave(self._moves, self._left, weights - self._start, away, distance)
+        penalty = subtract_moves(self._moves, self._left, weights - self._start, away, distance)
         squares = weights @ (0.5 * self._normal @ weights - self._right)
         return SurfaceCost(float(squares + penalty), away, distance)
 
@@ -85,7 +85,7 @@ class RobustFit:
 
 
 @kernel("f8[:, :, :], f8[:, :], f8[:], f8[:, :], f8[:] -> f8", arithmetic="sums")
-def _leave(moves: Array, left: Array, change: Array, away: Array, distance: Array) -> float:
+def subtract_moves(moves: Array, left: Array, change: Array, away: Array, distance: Array) -> float:
     """Write the rest of `left` (n, 3) after a `change` (s,) of weights, its lengths; return the penalty."""
     penalty = 0.0
     for v in range(len(left)):

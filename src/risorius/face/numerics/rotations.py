@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 
 import numpy as np
 
@@ -66,15 +65,10 @@ def towards(pitch: float, yaw: float) -> tuple[float, float, float]:
     return math.cos(p) * math.sin(y), math.sin(p), math.cos(p) * math.cos(y)
 
 
-def forward_to(target: Iterable[float]) -> Array:
-    """Return the (3, 3) rotation without torsion (Listing's law) that takes +z to the unit vector `target`.
-
-    `target` must lie in front (z > −1).
-    """
-    return np.array(forward_rows(*map(float, target)))
-
-
 def forward_rows(x: float, y: float, z: float) -> list[list[float]]:
-    """Return the rows of `forward_to`."""
+    """Return the rows of the rotation without torsion (Listing's law) that takes +z to x, y, z, of length 1.
+
+    It must lie in front (z > −1).
+    """
     k = 1.0 / (1.0 + z)
     return [[1.0 - k * x * x, -k * x * y, x], [-k * x * y, 1.0 - k * y * y, y], [-x, -y, z]]

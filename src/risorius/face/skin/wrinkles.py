@@ -73,8 +73,8 @@ class Wrinkles:
         rows.measure(skin, self._stretch)
         for drawn in self._drawn_in:
             drawn.shorten(values, self._stretch)
-        for held in self._held:
-            held.flatten(values, self._stretch)
+        for flattener in self._held:
+            flattener.flatten(values, self._stretch)
         _fold(
             self._stretch,
             rows.row_vertex,

@@ -17,16 +17,16 @@ def bound(port: int, host: str = HOST) -> socket.socket:
 
     Clients that come before the server is ready wait.
     """
-    made = socket.socket(socket.AF_INET6 if ":" in host else socket.AF_INET, socket.SOCK_STREAM)
-    made.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    listener = socket.socket(socket.AF_INET6 if ":" in host else socket.AF_INET, socket.SOCK_STREAM)
+    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
-        made.bind((host, port))
-        made.listen()
+        listener.bind((host, port))
+        listener.listen()
     except OSError as error:
-        made.close()
+        listener.close()
         reason = error.strerror or str(error)
         raise OutputError(f"port {port} cannot be used: {reason}; expected another --port") from None
-    return made
+    return listener
 
 
 def server_config(app: ASGIApp, largest: int) -> uvicorn.Config:

@@ -56,7 +56,7 @@ class Person:
 
 
 @dataclass(frozen=True, slots=True)
-class WantedPicture:
+class PictureQuery:
     """A page's request. `values` are those of all parameters; without a camera the head is framed."""
 
     person: Person
@@ -65,16 +65,16 @@ class WantedPicture:
     values: tuple[float, ...]
 
 
-def wanted_picture(query: QueryParams) -> WantedPicture:
+def picture_query(query: QueryParams) -> PictureQuery:
     """Return what a query asks for; raise InputError for what cannot be drawn."""
     head = query.get("head", "standard")
     if head not in shipped_heads():
         raise InputError(unknown("head", head[:40], shipped_heads()))
     person = Person(head, _number(query, "age"), query.get("hair") or None, _number(query, "complexion"))
     width = _number(query, "width") or HEIGHT
-    nearest = min(WIDTHS, key=lambda known: abs(known - width))
+    nearest = min(WIDTHS, key=lambda served: abs(served - width))
     values = _numbers(query, "values", len(NAMES))
-    return WantedPicture(person, nearest, _camera(query), values or tuple(NEUTRAL.tolist()))
+    return PictureQuery(person, nearest, _camera(query), values or tuple(NEUTRAL.tolist()))
 
 
 def _camera(query: QueryParams) -> Camera | None:
@@ -125,41 +125,41 @@ class PictureServer:
             return PlainTextResponse("too many pictures are being drawn\n", 503)
         self._waiting += 1
         try:
-            wanted = wanted_picture(request.query_params)
-            data = await run_in_threadpool(self.drawn, wanted)
+            query = picture_query(request.query_params)
+            data = await run_in_threadpool(self.drawn, query)
         except RisoriusError as error:
             return PlainTextResponse(f"{error}\n", 400)
         finally:
             self._waiting -= 1
         return Response(data, media_type="image/webp", headers={"cache-control": "no-store"})
 
-    def drawn(self, wanted: WantedPicture) -> bytes:
+    def drawn(self, query: PictureQuery) -> bytes:
         """Return a picture as WebP. Raises InputError for looks that do not exist."""
         with self._lock:
-            picture = self._draw(wanted)
+            picture = self._draw(query)
         file = io.BytesIO()
         Image.fromarray(picture).save(file, "WEBP", quality=QUALITY, method=0)
         return file.getvalue()
 
-    def _draw(self, wanted: WantedPicture) -> ByteArray:
-        solver = self._solvers.shared(Settings(head=wanted.person.head, age=wanted.person.age))
-        key = wanted.person, wanted.width
-        renderer = _kept(self._renderers, key, lambda: _renderer(solver, wanted))
-        renderer.look_from(wanted.camera or frame_head(renderer.scene.anatomy, wanted.width / HEIGHT))
-        return renderer.render(solver.solve(np.clip(wanted.values, _LOWEST, _HIGHEST)))
+    def _draw(self, query: PictureQuery) -> ByteArray:
+        solver = self._solvers.shared(Settings(head=query.person.head, age=query.person.age))
+        key = query.person, query.width
+        renderer = _cached(self._renderers, key, lambda: _renderer(solver, query))
+        renderer.look_from(query.camera or frame_head(renderer.scene.anatomy, query.width / HEIGHT))
+        return renderer.render(solver.solve(np.clip(query.values, _LOWEST, _HIGHEST)))
 
 
-def _renderer(solver: FaceSolver, wanted: WantedPicture) -> SoftwareRenderer:
-    look = Look(hair=wanted.person.hair, complexion=wanted.person.complexion)
+def _renderer(solver: FaceSolver, query: PictureQuery) -> SoftwareRenderer:
+    look = Look(hair=query.person.hair, complexion=query.person.complexion)
     model = head_model(solver.head, apply_look(solver.head.identity.looks, look))
-    return SoftwareRenderer(model, (wanted.width, HEIGHT), "draft", alpha=True)
+    return SoftwareRenderer(model, (query.width, HEIGHT), "draft", alpha=True)
 
 
-def _kept(kept: OrderedDict[K, V], key: K, make: Callable[[], V]) -> V:
+def _cached(cache: OrderedDict[K, V], key: K, make: Callable[[], V]) -> V:
     """Return what is kept under a key; make it if it is missing, and drop what was used longest ago."""
-    if key not in kept:
-        kept[key] = make()
-    kept.move_to_end(key)
-    while len(kept) > KEPT:
-        kept.popitem(last=False)
-    return kept[key]
+    if key not in cache:
+        cache[key] = make()
+    cache.move_to_end(key)
+    while len(cache) > KEPT:
+        cache.popitem(last=False)
+    return cache[key]

@@ -69,8 +69,8 @@ def _shares(files: Sequence[CodeFile], count: int) -> Iterator[list[str]]:
         return after + _SETUP * len(share[1]) + _TWICE * (after - before)
 
     for name in sorted(texts, key=lambda name: -_work(texts[name])):
-        known, names = min(shares, key=lambda share: cost(share, texts[name]))
-        known |= texts[name]
+        reached_texts, names = min(shares, key=lambda share: cost(share, texts[name]))
+        reached_texts |= texts[name]
         names += ("=".join(file) for file in files if file[0] == name)
     return (names for _, names in shares if names)
 
@@ -101,8 +101,8 @@ def main(arguments: Sequence[str]) -> int:
     _tidy(folder, {file for _, _, file in files})
     compile_into(folder, [file for file in files if not (folder / file[2]).exists()])
     if "--installed" in arguments:
-        known = {"sources": {"all": cache_folder.source_digest()}, "kernels": digests}
-        (folder / cache_folder.INDEX).write_text(json.dumps(known, indent=1), encoding="utf-8")
+        index = {"sources": {"all": cache_folder.source_digest()}, "kernels": digests}
+        (folder / cache_folder.INDEX).write_text(json.dumps(index, indent=1), encoding="utf-8")
     return 0
 
 

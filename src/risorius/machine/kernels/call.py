@@ -43,9 +43,9 @@ class Kernel:
 
     def _retry(self, arguments: Sequence[Any]) -> Any:
         """Try other signatures, then plain arrays and numbers in place of numpy's own types; else refuse."""
-        for given in (arguments, _converted(self.declared, arguments)):
+        for values in (arguments, _converted(self.declared, arguments)):
             for run in (self._run, *self._others):
-                result = run(*given)
+                result = run(*values)
                 if result is not REFUSED:
                     return result
         raise TypeError(fault(self.declared, arguments))

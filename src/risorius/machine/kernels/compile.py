@@ -69,8 +69,8 @@ def main(arguments: Sequence[str]) -> int:
     device_compilers.append(compile_device)
     folder = Path(arguments[0])
     texts: dict[str, dict[str, str]] = {}
-    for wanted in arguments[1:]:
-        name, processors, file = wanted.split("=")
+    for argument in arguments[1:]:
+        name, processors, file = argument.split("=")
         import_module(f"risorius.{name.rpartition('.')[0]}")
         try:
             if name not in texts:

@@ -27,24 +27,24 @@ def digest(kernel: Declaration) -> str:
 
     Raises TypeError for one that reaches something whose value cannot be told.
     """
-    found = hashlib.sha256(_compilers())
+    hasher = hashlib.sha256(_compilers())
     declared = kernel.texts, kernel.arithmetic, kernel.wide
-    found.update(f"{declared}\0{_tuples(kernel)}\0".encode())
+    hasher.update(f"{declared}\0{_tuples(kernel)}\0".encode())
     for name, text in sorted(reached(kernel).items()):
-        found.update(f"{name}\0{text}\0".encode())
-    return found.hexdigest()[:16]
+        hasher.update(f"{name}\0{text}\0".encode())
+    return hasher.hexdigest()[:16]
 
 
 def reached(kernel: Declaration) -> dict[str, str]:
     """Return the texts of a kernel's function and of all device functions that it calls, by their names."""
-    found: dict[str, str] = {}
+    texts: dict[str, str] = {}
     waiting: list[Any] = [kernel.function]
     while waiting:
         name, text, more = _described(waiting.pop())
-        if name not in found:
-            found[name] = text
+        if name not in texts:
+            texts[name] = text
             waiting += more
-    return found
+    return texts
 
 
 def _tuples(kernel: Declaration) -> str:
@@ -73,14 +73,14 @@ def _described(function: Any) -> tuple[str, str, list[Any]]:
 
 def _globals(function: FunctionType) -> dict[str, Any]:
     """Return what the names in a function stand for, those after a module's dot included."""
-    held = dict(zip(function.__code__.co_freevars, function.__closure__ or (), strict=True))
-    found = {name: cell.cell_contents for name, cell in held.items()}
+    cells = dict(zip(function.__code__.co_freevars, function.__closure__ or (), strict=True))
+    values = {name: cell.cell_contents for name, cell in cells.items()}
     names = set(_names(function.__code__))
-    found |= {name: function.__globals__[name] for name in names if name in function.__globals__}
-    for module in [value for value in found.values() if isinstance(value, ModuleType)]:
+    values |= {name: function.__globals__[name] for name in names if name in function.__globals__}
+    for module in [value for value in values.values() if isinstance(value, ModuleType)]:
         if module.__name__.startswith("risorius."):
-            found |= {f"{module.__name__}.{name}": vars(module)[name] for name in names & set(vars(module))}
-    return found
+            values |= {f"{module.__name__}.{name}": vars(module)[name] for name in names & set(vars(module))}
+    return values
 
 
 def _names(code: CodeType) -> Iterator[str]:
@@ -118,8 +118,8 @@ def _body(code: CodeType) -> str:
     rows = [(first, last) for first, last in _rows(code) if first > code.co_firstlineno] or list(_rows(code))
     first, last = min(first for first, _ in rows), max(last for _, last in rows)
     lines = linecache.getlines(code.co_filename)[first - 1 : last]
-    kept = (line.rstrip() for line in lines)
-    text = "\n".join(line for line in kept if line.strip() and not line.strip().startswith("#"))
+    stripped = (line.rstrip() for line in lines)
+    text = "\n".join(line for line in stripped if line.strip() and not line.strip().startswith("#"))
     return f"{code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]}\n{text}"
 
 

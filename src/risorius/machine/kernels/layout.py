@@ -84,7 +84,7 @@ def check() -> None:
     array = np.zeros((2, 3), np.uint16)
     shape, described = _read(id(array) + LAYOUT.shape), _read(id(array) + LAYOUT.dtype)
     half, real, short = 0.5, np.float64(0.25), np.float32(0.125)
-    found = (
+    matches = (
         _read(id(array) + LAYOUT.type) == id(np.ndarray),
         _read(id(array) + LAYOUT.data) == array.ctypes.data,
         _read(id(array) + LAYOUT.axes, ctypes.c_int) == array.ndim,
@@ -96,7 +96,7 @@ def check() -> None:
         _numbers([half, real]) == [half, real],
         _read(id(short) + LAYOUT.value, ctypes.c_float) == short,
     )
-    if not all(found):
+    if not all(matches):
         raise RuntimeError("this Python or numpy keeps arrays in another way than Risorius was built for")
 
 

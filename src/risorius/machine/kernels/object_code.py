@@ -58,8 +58,8 @@ def symbol(name: str, number: int) -> str:
 def _function(name: str, address: int) -> KernelEntry:
     make = ctypes.pythonapi.PyCFunction_NewEx
     make.restype, make.argtypes = ctypes.py_object, (ctypes.c_void_p, ctypes.py_object, ctypes.c_void_p)
-    made: KernelEntry = make(ctypes.addressof(_method(name, address)), _table(), None)
-    return made
+    entry: KernelEntry = make(ctypes.addressof(_method(name, address)), _table(), None)
+    return entry
 
 
 _table = lru_cache(maxsize=1)(table)

@@ -34,9 +34,9 @@ def find(kernel: Declaration) -> bytes:
 
 
 def _file(kernel: Declaration) -> str:
-    known = cache_folder.built()
-    if known is not None and kernel.name in known["kernels"]:
-        return file_name(kernel.name, known["kernels"][kernel.name], of_this_machine(kernel.wide))
+    installed = cache_folder.built()
+    if installed is not None and kernel.name in installed["kernels"]:
+        return file_name(kernel.name, installed["kernels"][kernel.name], of_this_machine(kernel.wide))
     from .digest import digest
 
     return file_name(kernel.name, digest(kernel), of_this_machine(kernel.wide))
@@ -54,9 +54,9 @@ def _others_missing(kernel: Declaration) -> list[Declaration]:
     return [one for one in others if not any((folder / _file(one)).exists() for folder in folders)]
 
 
-def _compile(wanted: Sequence[Declaration]) -> None:
+def _compile(missing: Sequence[Declaration]) -> None:
     """Let processes of their own compile kernels into the user's cache, and say so in one line."""
-    names = ", ".join(kernel.name for kernel in wanted)
+    names = ", ".join(kernel.name for kernel in missing)
     if importlib.util.find_spec("numba") is None:
         raise RisoriusError(
             f"there is no machine code of {names} for this source or this machine, and numba, which compiles "
@@ -66,7 +66,7 @@ def _compile(wanted: Sequence[Declaration]) -> None:
 
     print(f"risorius: compiling {names} (once) …", file=sys.stderr, flush=True)
     try:
-        files = ((kernel.name, of_this_machine(kernel.wide), _file(kernel)) for kernel in wanted)
+        files = ((kernel.name, of_this_machine(kernel.wide), _file(kernel)) for kernel in missing)
         compile_into(_cache(), list(files))
     except ValueError as error:
         raise RisoriusError(f"a kernel cannot be compiled: {error}") from None

@@ -76,8 +76,8 @@ def glsl_of(functions: Iterable[Callable[..., Any]], constants: Mapping[str, obj
         f"const {'vec3' if isinstance(value, tuple) else 'float'} {name} = {_literal(value)};"
         for name, value in constants.items()
     ]
-    known: dict[str, _Signature] = {}
-    lines.extend(_Translation(function, known).text() for function in functions)
+    signatures: dict[str, _Signature] = {}
+    lines.extend(_Translation(function, signatures).text() for function in functions)
     return "\n".join(lines) + "\n"
 
 
@@ -105,21 +105,27 @@ def _literal(value: object) -> str:
 class _Translation:
     """One function, translated; `known` are the functions before it, to which it is added."""
 
-    def __init__(self, function: Callable[..., Any], known: dict[str, _Signature]) -> None:
+    def __init__(self, function: Callable[..., Any], signatures: dict[str, _Signature]) -> None:
         tree = ast.parse(dedent(inspect.getsource(function))).body[0]
         assert isinstance(tree, ast.FunctionDef)
-        self._tree, self._known = tree, known
+        self._tree, self._known = tree, signatures
         self._globals: dict[str, Any] = inspect.unwrap(function).__globals__
         self._kinds: dict[str, str] = {}
         self._temporaries = 0
 
     def text(self) -> str:
         """Return the function in GLSL."""
-        tree, given = self._tree, self._tree.args
-        if given.vararg or given.kwarg or given.kwonlyargs or given.posonlyargs or given.defaults:
-            raise self._unknown(given)
+        tree, parameters = self._tree, self._tree.args
+        if (
+            parameters.vararg
+            or parameters.kwarg
+            or parameters.kwonlyargs
+            or parameters.posonlyargs
+            or parameters.defaults
+        ):
+            raise self._unknown(parameters)
         arguments = []
-        for argument in given.args:
+        for argument in parameters.args:
             kind = ast.unparse(argument.annotation) if argument.annotation else ""
             if kind not in _ARGUMENTS:
                 raise ValueError(f"{tree.name}: {argument.arg} is a {kind}")

@@ -74,8 +74,8 @@ def _page(title: str, data: dict[str, bytes]) -> str:
         "data": blocks,
     }
     page = (ROOT / "player/played.html").read_text("utf-8")
-    head, *rest = page.split("{{")
-    filled = (part.partition("}}") for part in rest)
+    head, *fields = page.split("{{")
+    filled = (part.partition("}}") for part in fields)
     return head + "".join(parts[name] + after for name, _, after in filled)
 
 

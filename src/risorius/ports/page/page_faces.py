@@ -41,8 +41,8 @@ class PackedFaces:
 
     def _packed(self, faces: Iterable[FaceFrame]) -> Iterator[bytes]:
         base: Int16Array | None = None
-        rest = iter(faces)
-        while chunk := list(islice(rest, CHUNK)):
+        remaining = iter(faces)
+        while chunk := list(islice(remaining, CHUNK)):
             self._poses.extend(map(pose_of, chunk))
             points = np.stack([self._steps(face) for face in chunk])
             before = np.zeros_like(points[:1]) if base is None else base

@@ -74,8 +74,8 @@ def _span(cue: Cue, point: str) -> str:
 
 def _clock(seconds: float, point: str) -> str:
     thousandths = round(1000.0 * seconds)
-    hours, rest = divmod(thousandths, 3_600_000)
-    return f"{hours:02d}:{rest // 60_000:02d}:{rest // 1000 % 60:02d}{point}{rest % 1000:03d}"
+    hours, remainder = divmod(thousandths, 3_600_000)
+    return f"{hours:02d}:{remainder // 60_000:02d}:{remainder // 1000 % 60:02d}{point}{remainder % 1000:03d}"
 
 
 register(".srt", "subtitles (SubRip)", {"speech"}, write_srt)

@@ -52,10 +52,10 @@ def viseme_table() -> Mapping[str, Viseme]:
 
 def viseme_of(symbol: str) -> Viseme:
     """Return a phone's visemes, ARPAbet or IPA; warn (SpeechWarning) of one that the table does not know."""
-    known = known_viseme(symbol)
-    if known is None:
+    viseme = known_viseme(symbol)
+    if viseme is None:
         warn(f"phone '{symbol}' has no viseme; shown as {NEUTRAL}", SpeechWarning)
-    return known or viseme_table()[NEUTRAL]
+    return viseme or viseme_table()[NEUTRAL]
 
 
 @lru_cache(maxsize=512)
@@ -66,8 +66,8 @@ def known_viseme(symbol: str) -> Viseme | None:
         return table[symbol]
     letters = unicodedata.normalize("NFD", symbol).replace("c\u0327", "ç")
     for at in range(len(letters)):
-        rest = letters[at:]
-        rows = [(len(start), row) for row in table.values() for start in row.ipa if rest.startswith(start)]
+        tail = letters[at:]
+        rows = [(len(start), row) for row in table.values() for start in row.ipa if tail.startswith(start)]
         if rows:
             return max(rows, key=lambda entry: entry[0])[1]
     return None

@@ -12,7 +12,7 @@ import tempfile
 from contextlib import suppress
 from pathlib import Path
 
-_IN_MEMORY = "/dev/shm"
+IN_MEMORY = "/dev/shm"
 """The file's folder if there is room in it, else the system's folder of temporary files."""
 
 
@@ -49,7 +49,7 @@ def map_slots(path: str) -> mmap.mmap:
 def _reserve(size: int) -> tuple[Path, int]:
     """Return a new file of `size` bytes that are sure to be there, and its descriptor."""
     with suppress(OSError):
-        return _reserve_in(_IN_MEMORY, size)
+        return _reserve_in(IN_MEMORY, size)
     return _reserve_in(tempfile.gettempdir(), size)
 
 

@@ -121,7 +121,7 @@ class Sound:
         self._rate = rate
         self._samples = 0
         rates = codec.rates or (rate,)
-        encoded = next((known for known in rates if known >= rate), rates[-1])
+        encoded = next((supported for supported in rates if supported >= rate), rates[-1])
         self._stream = container.add_stream(codec.sound, rate=encoded, layout="mono")
         if codec.rates:
             self._stream.bit_rate = BITS_PER_SECOND

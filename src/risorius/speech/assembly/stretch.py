@@ -35,13 +35,13 @@ def stretch(samples: Samples, source: Array, target: Array, sample_rate: int) ->
     return np.clip(np.round(stretched), -32768, 32767).astype(np.int16)
 
 
-def _best(sound: Array, wanted: int, follows: int | None, half: int, reach: int) -> int:
-    """Return where near `wanted` a window best continues the one before it, which goes on at `follows`."""
-    wanted = max(0, min(wanted, len(sound) - 2 * half))
+def _best(sound: Array, start: int, follows: int | None, half: int, reach: int) -> int:
+    """Return where near `start` a window best continues the one before it, which goes on at `follows`."""
+    start = max(0, min(start, len(sound) - 2 * half))
     if follows is None or follows + 2 * half > len(sound):
-        return wanted
-    first = max(0, wanted - reach)
-    last = min(wanted + reach, len(sound) - 2 * half)
+        return start
+    first = max(0, start - reach)
+    last = min(start + reach, len(sound) - 2 * half)
     going_on = sound[follows : follows + 2 * half]
     around = sound[first : last + 2 * half]
     likeness = np.correlate(around, going_on, "valid")

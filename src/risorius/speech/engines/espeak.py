@@ -80,15 +80,15 @@ class EspeakEngine:
         """Return all voices and, as `+name`, the variants that change the timbre of any voice."""
         with self._lock:
             if not self._voices:
-                answer, _ = self._request({"op": "voices"}, 0)
-                self._voices = listed_voices(answer, _data())
+                answer, _ = self.request({"op": "voices"}, 0)
+                self._voices = listed_voices(answer, data_folder())
             return self._voices
 
     def mean_pitch(self, voice: Voice) -> float | None:
         """Return the mean pitch of a voice in Hz, None for a language whose tones move it."""
         if language_of(voice.language).tones:
             return None
-        return mean_pitch(_data(), voice.key)
+        return mean_pitch(data_folder(), voice.key)
 
     def close(self) -> None:
         """End the worker; a later call starts another."""
@@ -105,7 +105,7 @@ class EspeakEngine:
             "op": "speak", "text": encoded.text, "voice": request.voice.key, "end_pause": request.end_pause,
             "ipa": ipa, "markup": encoded.markup, "dictated": encoded.markup, **parameters(request),
         }  # fmt: skip
-        return self._request(message, len(encoded.text))
+        return self.request(message, len(encoded.text))
 
     def _voice_of(self, span: DirectedSpan) -> str:
         """Return the attribute by which SSML names the voice that a span asks for."""
@@ -118,18 +118,19 @@ class EspeakEngine:
     def _with_tones(self, request: SpeechRequest) -> Sequence[str]:
         """Return the mnemonics of a text, those of vowels with the digits of their tones."""
         message = {"op": "transcribe", "texts": [request.text], "voice": request.voice.key, "ipa": False}
-        answer, _ = self._request(message, len(request.text))
+        answer, _ = self.request(message, len(request.text))
         names: Sequence[str] = answer["names"][0]
         return names
 
     def _transcribe(self, words: Sequence[str], voice: Voice) -> None:
         ipa = not _speaks_mnemonics(voice)
         message = {"op": "transcribe", "texts": list(words), "voice": voice.key, "ipa": ipa}
-        answer, _ = self._request(message, sum(map(len, words)))
+        answer, _ = self.request(message, sum(map(len, words)))
         for word, names in zip(words, answer["names"], strict=True):
             self._words[voice.key, word] = read_word(names, ipa, language_of(voice.language))
 
-    def _request(self, message: dict[str, Any], characters: int) -> Answer:
+    def request(self, message: dict[str, Any], characters: int) -> Answer:
+        """Return the worker's answer on a text of `characters`; raise SpeechError if it fails."""
         _package()  # raises an error if it is not there
         seconds = self._seconds + self._seconds_per_character * characters
         try:
@@ -158,7 +159,7 @@ def _package() -> Path:
     return Path(spec.origin).parent.parent
 
 
-def _data() -> Path:
+def data_folder() -> Path:
     """Return the folder of espeak-ng's data."""
     return _package() / "espeakng_loader" / "espeak-ng-data"
 

@@ -18,12 +18,12 @@ def tones_of(names: Sequence[str], transcribed: Sequence[str], tones: Mapping[st
     sounds = [index for index, name in enumerate(names) if _is_sound(name)]
     spoken = [strip_stress(names[index])[0] for index in sounds]
     read = [_divided(strip_stress(name)[0], tones) for name in transcribed if _is_sound(name)]
-    found = [""] * len(names)
+    tones_by_sound = [""] * len(names)
     matcher = SequenceMatcher(None, spoken, [name for name, _ in read], autojunk=False)
     for first, second, count in matcher.get_matching_blocks():
         for offset in range(count):
-            found[sounds[first + offset]] = tones.get(read[second + offset][1], "")
-    return found
+            tones_by_sound[sounds[first + offset]] = tones.get(read[second + offset][1], "")
+    return tones_by_sound
 
 
 def _is_sound(name: str) -> bool:

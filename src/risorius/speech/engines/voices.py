@@ -24,8 +24,8 @@ def voices(engine: SpeechEngine | None = None) -> tuple[Voice, ...]:
     then the other languages, each by its name. At the end stand those named `+name`, which change the timbre
     of any other: plain women and men before the rest.
     """
-    known = (engine or load_engine()).voices()
-    return tuple(sorted(known, key=_place))
+    listed = (engine or load_engine()).voices()
+    return tuple(sorted(listed, key=_place))
 
 
 def _place(voice: Voice) -> tuple[bool, bool, bool, bool, str]:
@@ -57,30 +57,30 @@ def find_voice(name: str | None, language: str | None = None, engine: SpeechEngi
 
     Raises SpeechError, with the nearest name, for an unknown voice, and for one that speaks another language.
     """
-    known = (engine or load_engine()).voices()
+    listed = (engine or load_engine()).voices()
     if name is None:
-        return _by_language(language, known) if language is not None else _by_name(DEFAULT_VOICE, known)
+        return _by_language(language, listed) if language is not None else _by_name(DEFAULT_VOICE, listed)
     base, plus, variant = name.partition("+")
-    voice = _by_name(base, known)
+    voice = _by_name(base, listed)
     if language is not None and _plain(language).split("-")[0] != voice.language.split("-")[0]:
         raise SpeechError(f"voice '{name}' speaks '{voice.language}', not '{language}'")
-    return _varied(voice, _by_name(plus + variant, known)) if plus else voice
+    return _varied(voice, _by_name(plus + variant, listed)) if plus else voice
 
 
 def _plain(code: str) -> str:
     return code.strip().lower().replace("_", "-")
 
 
-def _by_name(name: str, known: tuple[Voice, ...]) -> Voice:
+def _by_name(name: str, listed: tuple[Voice, ...]) -> Voice:
     plain = _plain(name)
-    for voice in known:
+    for voice in listed:
         if plain == voice.name.lower() or name == voice.key:
             return voice
-    speaking = _speaking(plain, known)
+    speaking = _speaking(plain, listed)
     if speaking is not None:
         return speaking
     varies = name.startswith("+")
-    in_order = sorted(known, key=_place)
+    in_order = sorted(listed, key=_place)
     named = [voice.name for voice in in_order if voice.description.lower() == plain]
     if named:
         raise SpeechError(f"unknown voice '{name}'; did you mean '{named[0]}'?")
@@ -89,22 +89,22 @@ def _by_name(name: str, known: tuple[Voice, ...]) -> Voice:
     raise SpeechError(message if message.endswith("?") else f"{message}; 'risorius list voices' shows all")
 
 
-def _by_language(language: str, known: tuple[Voice, ...]) -> Voice:
+def _by_language(language: str, listed: tuple[Voice, ...]) -> Voice:
     code = _plain(language)
-    voice = _speaking(code, known) or _speaking(code.split("-")[0], known)
+    voice = _speaking(code, listed) or _speaking(code.split("-")[0], listed)
     if voice is None:
-        raise SpeechError(_unknown_language(language, known))
+        raise SpeechError(_unknown_language(language, listed))
     return voice
 
 
-def _unknown_language(language: str, known: tuple[Voice, ...]) -> str:
+def _unknown_language(language: str, listed: tuple[Voice, ...]) -> str:
     """Return the message for a language without a voice.
 
     A code that only looks alike (`xx`, `xex`) does not help: suggest one that begins in the same way (`deu`),
     or whose voice has this name (`german`).
     """
     plain = _plain(language)
-    for voice in sorted(known, key=_place):
+    for voice in sorted(listed, key=_place):
         code = voice.language.split("-")[0]
         begins = len(plain) == _LONG_CODE and 0 < len(code) < _LONG_CODE and plain.startswith(code)
         if begins or (code and voice.description.lower() == plain):
@@ -113,12 +113,12 @@ def _unknown_language(language: str, known: tuple[Voice, ...]) -> str:
     return f"unknown language '{language[:_LONGEST]}'; {expected}"
 
 
-def _speaking(code: str, known: tuple[Voice, ...]) -> Voice | None:
+def _speaking(code: str, listed: tuple[Voice, ...]) -> Voice | None:
     """Return the voice that speaks a language most plainly: as its own, and not in a region's manner."""
     if code == DEFAULT_VOICE.split("-")[0]:
         code = DEFAULT_VOICE
-    speaking = [voice for voice in known if code in voice.languages]
-    speaking = speaking or [voice for voice in known if voice.language.startswith(f"{code}-")]
+    speaking = [voice for voice in listed if code in voice.languages]
+    speaking = speaking or [voice for voice in listed if voice.language.startswith(f"{code}-")]
     return min(
         speaking,
         key=lambda voice: (voice.language != code, not voice.key.endswith(f"/{code}"), voice.name),

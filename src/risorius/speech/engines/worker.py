@@ -141,10 +141,10 @@ class Espeak:
 
     def voices(self, variants: bool) -> list[dict[str, Any]]:
         """Return name, identifier, languages and gender of each voice, or of each variant."""
-        wanted = _Voice()
+        pattern = _Voice()
         languages = ctypes.create_string_buffer(b"variant" if variants else b"")
-        wanted.languages = ctypes.addressof(languages) if variants else None
-        listed = self._lib.espeak_ListVoices(ctypes.byref(wanted) if variants else None)
+        pattern.languages = ctypes.addressof(languages) if variants else None
+        listed = self._lib.espeak_ListVoices(ctypes.byref(pattern) if variants else None)
         events: list[dict[str, Any]] = []
         while listed[len(events)]:
             voice = listed[len(events)].contents

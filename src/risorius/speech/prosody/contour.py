@@ -64,6 +64,6 @@ def contour_of(pitch: Pitch, speaker: RunningRange) -> Contour | None:
     bridged = np.interp(frames, frames[voiced], raw[voiced])
     smooth = mean_of(median_of(bridged, _MEDIAN), _MEAN)
     speaker.add(smooth[voiced])
-    known = speaker.range
-    span = max(known.high - known.low, _LEAST_RANGE)
-    return Contour(pitch.first, smooth - known.low, voiced, known.low, span)
+    pitch_range = speaker.range
+    span = max(pitch_range.high - pitch_range.low, _LEAST_RANGE)
+    return Contour(pitch.first, smooth - pitch_range.low, voiced, pitch_range.low, span)

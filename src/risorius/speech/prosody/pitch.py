@@ -76,8 +76,8 @@ def measure_pitch(
     hertz = _path(candidates, quiet, LOWEST, HIGHEST)
     voiced = hertz[np.isfinite(hertz)]
     if len(voiced):
-        known = speaker.with_frames(12.0 * np.log2(voiced))
-        low, high = 2.0 ** (known.lower / 12.0), 2.0 ** (known.upper / 12.0)
+        pitch_range = speaker.with_frames(12.0 * np.log2(voiced))
+        low, high = 2.0 ** (pitch_range.lower / 12.0), 2.0 ** (pitch_range.upper / 12.0)
         hertz = _path(candidates, quiet, FLOOR_OF_LOWER * low, CEILING_OF_UPPER * high)
     return Pitch(_centred(hertz), frames.start)
 

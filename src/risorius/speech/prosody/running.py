@@ -148,8 +148,8 @@ class SpeakerStatistics:
 def unknown_speaker() -> SpeakerStatistics:
     """Return the statistics of a speaker who has not been heard: those of people in general."""
     usual = priors()
-    known = (usual.pitch.deviation / usual.pitch.between) ** 2
-    return _speaker(usual.pitch.mean, usual.pitch.deviation, known, known)
+    weight = (usual.pitch.deviation / usual.pitch.between) ** 2
+    return _speaker(usual.pitch.mean, usual.pitch.deviation, weight, weight)
 
 
 def known_voice(hertz: float) -> SpeakerStatistics:

@@ -40,8 +40,8 @@ def recognize(audio: Audio, progress: Progress = quiet) -> Utterance:
     Raises InputError if nothing is, SpeechError if the recognizer fails. `progress` is told how many seconds
     of a long recording are recognized.
     """
-    text, found = heard(audio, progress)
-    return assembled(audio, text, found.phones, found.words, found.language)
+    text, located = heard(audio, progress)
+    return assembled(audio, text, located.phones, located.words, located.language)
 
 
 def heard(audio: Audio, progress: Progress = quiet) -> tuple[str, Located]:

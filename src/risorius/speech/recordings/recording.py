@@ -60,7 +60,7 @@ def read_recording(path: str | PathLike[str]) -> Audio:
 def _hushed() -> Iterator[None]:
     """Keep libraries from writing on standard error: libmpg123 complains there of damaged files."""
     try:
-        kept = os.dup(2)
+        stderr = os.dup(2)
     except OSError:
         yield  # it is closed
         return
@@ -69,8 +69,8 @@ def _hushed() -> Iterator[None]:
             os.dup2(nowhere.fileno(), 2)
         yield
     finally:
-        os.dup2(kept, 2)
-        os.close(kept)
+        os.dup2(stderr, 2)
+        os.close(stderr)
 
 
 def _opened(path: Path, place: Place) -> SoundFileSource | FilmSound:

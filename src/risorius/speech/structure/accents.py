@@ -157,12 +157,12 @@ def _silent(
 
     A phrase of which nothing else is left is accented as if nothing were given.
     """
-    kept = focused | context.contrasted
-    unaccented = {i for i in stressed if utterance.syllables[i].word in context.given - kept}
+    prominent = focused | context.contrasted
+    unaccented = {i for i in stressed if utterance.syllables[i].word in context.given - prominent}
     left = [i for i in stressed if i not in unaccented]
     if not left:
-        return deaccented(utterance, language, words, stressed, kept)
-    return unaccented | deaccented(utterance, language, words, left, kept)
+        return deaccented(utterance, language, words, stressed, prominent)
+    return unaccented | deaccented(utterance, language, words, left, prominent)
 
 
 def _stressed(utterance: Utterance, language: Language, words: range, focused: Set[int]) -> list[int]:

@@ -47,9 +47,9 @@ class DiscourseContext:
     def moved(self, words: int) -> DiscourseContext:
         """Return the same context of words that stand this many words later."""
         sets = (frozenset(i + words for i in s) for s in (self.given, self.contrasted, self.themes))
-        given, contrasted, themes = sets
+        given_words, contrasted, themes = sets
         answer = None if self.answer is None else self.answer + words
-        return DiscourseContext(given, contrasted, answer, themes)
+        return DiscourseContext(given_words, contrasted, answer, themes)
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,15 +89,15 @@ def context_of(words: Sequence[PlacedWord], question: str, language: Language) -
     stems = [language.stem(word.text) for word in words]
     content = [not language.is_function_word(word.text) for word in words]
     line = _Line(words, stems, content, language)
-    asked = _read(question, language)
-    contrasted = {*_corrected(line), *_taken_up(line, asked)}
-    given_words = {*_repeated(line), *_asked_about(line, asked)} - contrasted
+    parsed = _read(question, language)
+    contrasted = {*_corrected(line), *_taken_up(line, parsed)}
+    given_words = {*_repeated(line), *_asked_about(line, parsed)} - contrasted
     new = [i for i in _first_sentence(line) if content[i] and i not in given_words]
     return DiscourseContext(
         frozenset(given_words),
         frozenset(contrasted),
-        _new_function_word(line, asked) if question and not new else None,
-        frozenset(_themes(line, asked, given_words, contrasted)),
+        _new_function_word(line, parsed) if question and not new else None,
+        frozenset(_themes(line, parsed, given_words, contrasted)),
     )
 
 
@@ -148,19 +148,19 @@ def _repeated(line: _Line) -> Iterator[int]:
         last[stem] = index
 
 
-def _asked_about(line: _Line, asked: _Question) -> Iterator[int]:
+def _asked_about(line: _Line, question: _Question) -> Iterator[int]:
     """Yield content words of the question in the sentences that follow it."""
-    if not asked.stems:
+    if not question.stems:
         return
     first = line.words[0].sentence
     for index, (word, stem, content) in enumerate(zip(line.words, line.stems, line.content, strict=True)):
-        if content and stem in asked.stems and word.sentence - first < _SENTENCES:
+        if content and stem in question.stems and word.sentence - first < _SENTENCES:
             yield index
 
 
-def _taken_up(line: _Line, asked: _Question) -> Iterator[int]:
+def _taken_up(line: _Line, question: _Question) -> Iterator[int]:
     """Yield the words of the first sentence that a question turns to, or lets the speaker choose."""
-    topics = set(asked.topics | asked.choices)
+    topics = set(question.topics | question.choices)
     for index in _first_sentence(line) if topics else ():
         if line.content[index] and line.stems[index] in topics:
             topics.discard(line.stems[index])
@@ -190,25 +190,25 @@ def _instead(line: _Line, negation: int, denied: int) -> int | None:
     return next((i for i in before if line.content[i]), None) if line.words[negation].separated else None
 
 
-def _new_function_word(line: _Line, asked: _Question) -> int | None:
+def _new_function_word(line: _Line, question: _Question) -> int | None:
     """Return the function word that answers, which is not in the question.
 
     It is the first one if the question asks for a subject ("*I* did", "It's *me*"), else the last.
     """
-    new = [i for i in _first_sentence(line) if line.stems[i] not in asked.stems]
+    new = [i for i in _first_sentence(line) if line.stems[i] not in question.stems]
     whole = [i for i in new if "'" not in plain_word(line.words[i].text)] or new
-    return None if not whole else whole[0] if asked.of_subject else whole[-1]
+    return None if not whole else whole[0] if question.of_subject else whole[-1]
 
 
-def _themes(line: _Line, asked: _Question, given: Set[int], contrasted: Set[int]) -> Iterator[int]:
+def _themes(line: _Line, question: _Question, given_words: Set[int], contrasted: Set[int]) -> Iterator[int]:
     """Yield the last word of the theme that begins an answer, if contrasted and followed by something new."""
-    if not asked.topics:
+    if not question.topics:
         return
-    known = given | contrasted
+    old = given_words | contrasted
     first = list(_first_sentence(line))
-    theme = list(takewhile(lambda i: i in known or not line.content[i], first))
-    named = [i for i in theme if i in known]
-    if len(theme) < len(first) and any(line.stems[i] in asked.topics for i in named):
+    theme = list(takewhile(lambda i: i in old or not line.content[i], first))
+    named = [i for i in theme if i in old]
+    if len(theme) < len(first) and any(line.stems[i] in question.topics for i in named):
         yield named[-1]
 
 

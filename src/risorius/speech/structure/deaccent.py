@@ -89,9 +89,9 @@ def _within_groups(rules: AccentPlaces, utterance: Utterance, content: Sequence[
 
 def _clashing(left: Sequence[int], utterance: Utterance, focused: Set[int]) -> Iterator[int]:
     """Yield syllables next to a following one that is accented, seen from the last one."""
-    kept = None
+    accented = None
     for index in reversed(left):
-        if kept is not None and kept == index + 1 and utterance.syllables[index].word not in focused:
+        if accented is not None and accented == index + 1 and utterance.syllables[index].word not in focused:
             yield index
         else:
-            kept = index
+            accented = index

@@ -70,8 +70,8 @@ def with_edges(utterance: Utterance, shifts: Sequence[EdgeShift]) -> Utterance:
         counts[word.text] += 1
     misfits = []
     for shift in shifts:
-        found = words.get((shift.word, shift.nth))
-        index = -1 if found is None else utterance.words[found].first_phone + shift.phone
+        word_number = words.get((shift.word, shift.nth))
+        index = -1 if word_number is None else utterance.words[word_number].first_phone + shift.phone
         there = 0 < index < len(utterance.phones) and utterance.phones[index].symbol == shift.symbol
         if there:
             moved[index] += shift.shift

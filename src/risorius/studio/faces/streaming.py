@@ -47,7 +47,7 @@ class Streams:
                 first += count
                 if request.pace is not None:
                     ahead = (first - request.first) - LEAD * live.take.performance.fps
-                    await _until(begun + float(ahead) / request.pace)
+                    await until(begun + float(ahead) / request.pace)
         if self._stopped.get(request.take) is stopped:
             del self._stopped[request.take]
         return answers.FacesSent(max(first - request.first, 0))
@@ -89,7 +89,8 @@ class Streams:
             self._stopped[take].set()
 
 
-async def _until(time: float) -> None:
+async def until(time: float) -> None:
+    """Wait until a time of the loop's clock."""
     await asyncio.sleep(max(0.0, time - asyncio.get_running_loop().time()))
 
 

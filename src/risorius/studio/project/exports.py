@@ -56,12 +56,12 @@ class Exports:
 
     def write(self, job: int, take: Take, request: requests.Export, progress: Progress) -> tuple[str, ...]:
         """Write the files and return their names. Raises RisoriusError; then nothing is kept."""
-        told = stoppable(progress, self._jobs[job], "the export was stopped")
+        stoppable_progress = stoppable(progress, self._jobs[job], "the export was stopped")
         folder = self._folder / str(job)
         folder.mkdir(parents=True, exist_ok=True)
         names = _names(request)
-        told("Writing …")
-        exported_take(take, request).write(*(folder / name for name in names), progress=told)
+        stoppable_progress("Writing …")
+        exported_take(take, request).write(*(folder / name for name in names), progress=stoppable_progress)
         self._files |= {(job, name): folder / name for name in names}
         return names
 

@@ -96,8 +96,8 @@ def _line(files: list[Path]) -> str:
     """Return the beginning of a session's text."""
     for file in files:
         data = _object(file)
-        made = data.get("made", data.get("draft"))
-        source = made.get("source") if isinstance(made, dict) else None
+        written = data.get("made", data.get("draft"))
+        source = written.get("source") if isinstance(written, dict) else None
         script = source.get("script") if isinstance(source, dict) else None
         if isinstance(script, str) and script.strip():
             return " ".join(script[: 4 * LONGEST_LINE].split())[:LONGEST_LINE]

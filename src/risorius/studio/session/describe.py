@@ -56,15 +56,15 @@ def _wave(samples: Int16Array, size: int, rate: int) -> takes.Wave:
 
 def blocks(score: Score, like: tuple[Score, Blocks] | None = None) -> Blocks:
     """Return all movements and lip segments as blocks by id; those that `like` has too stay the same."""
-    known: dict[int, takes.Block] = {}
+    earlier_by_id: dict[int, takes.Block] = {}
     if like is not None:
         before, earlier_blocks = like
-        known = {id(m): earlier_blocks[m.id] for m in before.movements}
-        known |= {id(s): earlier_blocks[f"lips.{n}"] for n, s in enumerate(before.lips)}
-    by_id = {m.id: known.get(id(m)) or _block(m) for m in score.movements}
+        earlier_by_id = {id(m): earlier_blocks[m.id] for m in before.movements}
+        earlier_by_id |= {id(s): earlier_blocks[f"lips.{n}"] for n, s in enumerate(before.lips)}
+    by_id = {m.id: earlier_by_id.get(id(m)) or _block(m) for m in score.movements}
     # A segment is named by its index, which may have changed.
     for n, s in enumerate(score.lips):
-        block = known.get(id(s))
+        block = earlier_by_id.get(id(s))
         by_id[f"lips.{n}"] = block if block and block.id == f"lips.{n}" else _segment(f"lips.{n}", s)
     return by_id
 

@@ -56,8 +56,10 @@ def _channel(trace: Trace, take: Take) -> answers.ChannelCurve:
         """Return the start and end of each run; a frame lasts until the next one."""
         return tuple((float(times[first]), float(times[last]) + step) for first, last in runs)
 
-    asked, applied = packed(trace.requested), packed(trace.applied)
-    return answers.ChannelCurve(trace.channel, asked, applied, spans(trace.inhibited), spans(trace.limited))
+    requested, applied = packed(trace.requested), packed(trace.applied)
+    return answers.ChannelCurve(
+        trace.channel, requested, applied, spans(trace.inhibited), spans(trace.limited)
+    )
 
 
 def profile_text(session: Session, request: requests.ProfileText, progress: Progress) -> answers.ProfileFile:

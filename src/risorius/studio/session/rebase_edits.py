@@ -79,12 +79,12 @@ def rebase(before: Revision, after: Revision) -> Revision:
     if texts:
         some = "; ".join(texts[:3]) + ("; …" if len(texts) > 3 else "")
         warnings = (*warnings, f"{len(texts)} of the changes by hand did not fit any more: {some}")
-    kept = (*lost, *named)[-MOST_LOST:]
+    newest = (*lost, *named)[-MOST_LOST:]
     return replace(
         version,
         warnings=warnings,
         milliseconds=after.milliseconds,
-        lost=kept,
+        lost=newest,
         markers=_moved_markers(before, WordTimes(before.utterance, after.utterance), version.score.duration),
         lanes=before.lanes,
     )
@@ -160,16 +160,16 @@ def _of_movement(edit: Edit, places: _Places, version: Revision) -> Edit:
 
 
 def _time(time: float, places: _Places, at_least: Fit = Fit.REPLACED) -> float:
-    found, fit = places.times.at(time)
+    place, fit = places.times.at(time)
     if fit < at_least:
         raise _MisfitEditError
-    return found
+    return place
 
 
 def _near(time: float, places: _Places, shift: float) -> float:
     """Return where a time of a movement lies: at its phone, else as far from the movement as it was."""
-    found, fit = places.times.at(time)
-    return found if fit else max(0.0, time + shift)
+    place, fit = places.times.at(time)
+    return place if fit else max(0.0, time + shift)
 
 
 def _lost(edits: list[Edit], before: Revision, times: WordTimes) -> Iterator[LostEdit]:
@@ -217,8 +217,8 @@ def restore(version: Revision, number: int) -> Revision:
     """Return the version with something lost made again, as near to its place as the clip has room."""
     entry = version.lost_made[number]
     assert entry.edit is not None
-    rest = replace(version, lost=tuple(other for other in version.lost if other is not entry))
-    return rest.changed(_inside(entry.edit, version.score.duration))
+    remaining = replace(version, lost=tuple(other for other in version.lost if other is not entry))
+    return remaining.changed(_inside(entry.edit, version.score.duration))
 
 
 def _inside(edit: Add | Keys, duration: float) -> Add | Keys:

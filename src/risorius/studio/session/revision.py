@@ -89,8 +89,8 @@ def worded(edit: Edit, *scores: Score) -> str:
         return f"{verb} a movement of {edit.channel} at {edit.start:.2f} s"
     if isinstance(edit, Keys | ClearKeys):
         return f"{verb} {edit.parameter.replace('_', ' ')}"
-    found = next((m for score in scores for m in score.movements if m.id == edit.movement), None)
-    return f"{verb} {edit.movement if found is None else _said(found)}"
+    movement = next((m for score in scores for m in score.movements if m.id == edit.movement), None)
+    return f"{verb} {edit.movement if movement is None else _said(movement)}"
 
 
 def lanes_worded(before: LaneStates, after: LaneStates) -> str:

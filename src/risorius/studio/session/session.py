@@ -169,8 +169,8 @@ class Session:
         """Make several edits as one change."""
         before, version = self.version(), self._edited(request.edits)
         what = worded(version.edits[-1], before.score)
-        rest = len(request.edits) - 1
-        self.history.push(version, f"{what} and {rest} more" if rest else what)
+        others = len(request.edits) - 1
+        self.history.push(version, f"{what} and {others} more" if others else what)
         return self._changed(version)
 
     def _edited(self, edits: Sequence[Edit]) -> Revision:

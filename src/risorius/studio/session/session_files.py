@@ -117,10 +117,10 @@ class SessionFiles:
         self._poses[name] = dict(values)
         write_text(self.folder / "poses.json", json.dumps(self._poses))
 
-    def _check(self, name: str, known: Mapping[str, object]) -> None:
+    def _check(self, name: str, saved: Mapping[str, object]) -> None:
         if not _NAME.fullmatch(name):
             raise InputError(f"'{name[:60]}' is not a name; expected up to 60 letters, digits, - and spaces")
-        if name not in known and len(known) >= _MOST:
+        if name not in saved and len(saved) >= _MOST:
             raise InputError(f"{_MOST} are saved already; expected one of their names")
 
 

@@ -6,10 +6,10 @@ import { h, spoken } from "../dom.js";
 /** @typedef {[value: string, text: string]} Option */
 
 /**
- * Adding a movement: what moves, how far, when and in which channel.
+ * The form that adds a movement: target, amount, times and channel.
  */
 
-/** Kinds of movement: the channel each is put in unless told, and what there is of it in the catalogue. */
+/** Kinds of movement, with the default channel of each and its targets in the catalogue. */
 /**
  * @type {Record<string, {title: string, channel: string, options: (catalogue: Catalogue) => Option[],
  *   targets: (name: string, amount: number, catalogue: Catalogue) => Record<string, number>,
@@ -104,7 +104,7 @@ export class Adder {
     const { kind, name, amount, channel: lane, start, length, onset, offset } = this.#fields;
     return h("form", { class: "tl-add", method: "dialog", onsubmit: (/** @type {SubmitEvent} */ event) => this.#submit(event, catalogue) },
       h("h2", { id: "tl-add-title" }, "Add a movement"),
-      field("Kind", kind), field("What", name), field("How far", amount), field("Channel", lane),
+      field("Kind", kind), field("Target", name), field("Amount", amount), field("Channel", lane),
       h("div", { class: "tl-times" },
         timed("Start, s", start), timed("Length, s", length), timed("Onset, s", onset), timed("Offset, s", offset)),
       h("div", { class: "row" },
@@ -113,7 +113,7 @@ export class Adder {
     ); // prettier-ignore
   }
 
-  /** Take up the kind that is chosen. @param {Catalogue} catalogue @param {string | null} channel */
+  /** Apply the chosen kind. @param {Catalogue} catalogue @param {string | null} channel */
   #turn(catalogue, channel) {
     const { kind, name, amount, channel: lane } = this.#fields;
     const chosen = KINDS[kind.value];
@@ -160,7 +160,7 @@ function fieldsOf(kinds, channels, time, turn) {
   };
 }
 
-/** What is typed into the fields of numbers. @param {Fields} fields */
+/** Return the values of the number fields. @param {Fields} fields */
 function numbersOf({ amount, start, length, onset, offset }) {
   const [far, from, long, rise, fall] = [amount, start, length, onset, offset].map(({ value }) => Number(value));
   return { amount: far, start: from, length: long, onset: rise, offset: fall };

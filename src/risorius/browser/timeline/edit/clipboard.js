@@ -1,5 +1,5 @@
 /**
- * Movements copied and pasted, also from one session to another: the browser keeps what was copied.
+ * Copy and paste movements, also between sessions: the browser stores the copied ones.
  */
 
 /** @import {Block} from "../../types.js" */
@@ -11,7 +11,7 @@
 
 const KEY = "risorius-movements";
 
-/** Keep the selected movements. @param {import("../controller.js").TimelineController} controller @returns {boolean} whether there are any */
+/** Copy the selected movements. @param {import("../controller.js").TimelineController} controller @returns {boolean} whether there are any */
 export function copy(controller) {
   const blocks = controller.blocks.filter(({ editable }) => editable);
   if (blocks.length === 0) return false;
@@ -36,7 +36,7 @@ function copied(block, first, priority) {
   };
 }
 
-/** What was copied, its first movement starting at 0. @returns {Copied[]} */
+/** Return the copied movements; the first one starts at 0. @returns {Copied[]} */
 export function clipboard() {
   try {
     const found = JSON.parse(localStorage.getItem(KEY) ?? "[]");
@@ -47,7 +47,7 @@ export function clipboard() {
 }
 
 /**
- * The wire's edits that add what was copied, from a time on or as much earlier as it has room.
+ * Return the wire's edits that add the copied movements at a time, or earlier if they do not fit.
  * @param {Copied[]} movements @param {number} time @param {number} duration
  */
 export function pasted(movements, time, duration) {

@@ -5,10 +5,10 @@ import { scaleOf } from "../paint/paint_graphs.js";
 /** @import {TimelineController} from "../controller.js" */
 
 /**
- * What a pointer does on graphs: keys are dragged and drawn. Gestures as in `gestures.js`.
+ * Pointer gestures on graphs (as in `gestures.js`): dragging and drawing keys.
  */
 
-const FINE = 0.012; // share of a graph's height that a line drawn freely may be simplified by
+const FINE = 0.012; // tolerance for simplifying a freehand line, as a share of the graph's height
 
 /** Drag a key of a graph. */
 export class DragKey {
@@ -37,7 +37,7 @@ export class DragKey {
     edits.holdKeys(this.#names, keys);
   }
 
-  /** Both sides where they have the same keys, so that they keep together. */
+  /** Return both sides if they have the same keys, so that they stay the same. */
   get #names() {
     /** @param {string} name */
     const same = (name) => JSON.stringify(this.#controller.edits.keys(name)) === this.#before;
@@ -57,7 +57,7 @@ export class DragKey {
   }
 }
 
-/** Drag a handle of a key; with Alt it is bent apart from the one across. */
+/** Drag a handle of a key; with Alt the opposite handle stays. */
 export class DragTangent {
   #controller;
   #row;
@@ -100,7 +100,7 @@ export class DragTangent {
   }
 }
 
-/** Draw a curve freely; without moving, set one key. */
+/** Draw a freehand curve; a click sets one key. */
 export class DrawKeys {
   #controller;
   #row;

@@ -1,6 +1,6 @@
 /**
- * Edges of phones, corrected by hand: dragged on the rows of words and phones, or moved by keys at the playhead. The sound
- * stays, all that hangs on the phones follows.
+ * Correct phone boundaries: drag them on the rows of words and phones, or move them by keys at the playhead. The sound
+ * stays; everything that depends on the phones follows.
  */
 
 /** @import {SpeechRow} from "../../types.js" */
@@ -13,7 +13,7 @@ const APART = 0.01; // s between two edges
 const STEP = 0.01; // s a key moves by
 
 /**
- * The phone that begins near a place on the rows of words or phones, by its index; -1 if none can be moved there.
+ * Return the index of the phone that begins near a place on the rows of words or phones; -1 if none there can be moved.
  * @param {Scene} scene @param {SpeechRow | null} row @param {number} x
  */
 export function edgeNear(scene, row, x) {
@@ -37,14 +37,14 @@ function movable(phones, k, kind) {
 }
 
 /**
- * Between what an edge can be moved.
+ * Return the earliest and latest time of an edge.
  * @param {PhoneView[]} phones @param {number} k @returns {[low: number, high: number]}
  */
 function bounds(phones, k) {
   return [phones[k - 1].start + APART, phones[k].end - APART];
 }
 
-/** Move an edge; the sound's outline above shows where to. */
+/** Drag an edge; the sound's outline above helps to find the place. */
 export class DragEdge {
   #controller;
   #phone;

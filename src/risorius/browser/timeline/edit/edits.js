@@ -5,14 +5,14 @@ import { editOf, timesOf } from "../model/times.js";
 /** @import {Block, Edit, Key, Times} from "../../types.js" */
 
 /**
- * Changes that the user is making: shown at once, sent to the server, and forgotten when the answer is here.
+ * Edits in progress: shown at once, sent to the server, and dropped when the answer arrives.
  */
 export class Edits {
   /** @type {Map<string, Times | null>} */
-  #blocks = new Map(); // id -> the four times it is shown at, or null where it is deleted
+  #blocks = new Map(); // id -> its four shown times, or null if it is deleted
   /** @type {Map<string, Key[]>} */
   #keys = new Map(); // parameter -> keys
-  #sent = new Map(); // what was sent last for an id or a parameter
+  #sent = new Map(); // the last edit sent for an id or a parameter
   #actions;
   #changed;
   /** @type {import("../model/model.js").Model} */
@@ -21,8 +21,8 @@ export class Edits {
 
   /**
    * @param {import("../../studio/actions.js").Actions} actions
-   * @param {() => void} changed called when something is shown otherwise
-   * @param {() => number | null} standing where the playhead stands; null while it runs
+   * @param {() => void} changed called when something shown has changed
+   * @param {() => number | null} standing time of the playhead; null while it runs
    */
   constructor(actions, changed, standing) {
     this.#actions = actions;
@@ -30,13 +30,13 @@ export class Edits {
     this.#preview = new Preview(actions, changed, standing);
   }
 
-  /** @param {import("../model/model.js").Model} model what the changes are made to */
+  /** @param {import("../model/model.js").Model} model model that the edits apply to */
   setModel(model) {
     this.#model = model;
     this.#preview.setModel(model);
   }
 
-  /** Ids of the blocks that are shown otherwise than the take has them. */
+  /** The ids of the blocks shown differently from the take. */
   get held() {
     return this.#blocks.keys();
   }
@@ -46,7 +46,7 @@ export class Edits {
     return this.#blocks.has(id);
   }
 
-  /** A block as it is shown; null where it is deleted. @param {Block} block @returns {Block | null} */
+  /** Return a block as shown; null if it is deleted. @param {Block} block @returns {Block | null} */
   shown(block) {
     const times = this.#blocks.get(block.id);
     if (times === undefined) return block;
@@ -55,7 +55,7 @@ export class Edits {
     return { ...block, start, apex_start, apex_end, end };
   }
 
-  /** Keys of a parameter as they are shown. @param {string} name @returns {Key[]} */
+  /** Return the shown keys of a parameter. @param {string} name @returns {Key[]} */
   keys(name) {
     return this.#keys.get(name) ?? this.#model?.drawn.get(name) ?? [];
   }
@@ -75,7 +75,7 @@ export class Edits {
   }
 
   /**
-   * Send the held times of several blocks as one change; where they are deleted, that.
+   * Send the edited times of several blocks, or their deletion, as one change.
    * @param {Block[]} blocks @returns {Promise<any>}
    */
   async sendAll(blocks) {
@@ -95,7 +95,7 @@ export class Edits {
     this.#changed();
   }
 
-  /** Show what the take has. @param {string} id */
+  /** Show the take's own times again. @param {string} id */
   drop(id) {
     this.#blocks.delete(id);
     this.#preview.end();
@@ -110,7 +110,7 @@ export class Edits {
   }
 
   /**
-   * Send a block's held times.
+   * Send a block's edited times.
    * @param {Block} block @returns {Promise<any>} the answer, null if refused or nothing changed
    */
   async send(block) {
@@ -130,7 +130,7 @@ export class Edits {
   }
 
   /**
-   * Make keys those of the parameters (one, or both sides of one); none takes the curves back.
+   * Set the keys of the parameters (one, or both sides of one); an empty list removes the manual curves.
    * @param {string[]} names @param {Key[]} keys
    */
   sendKeys(names, keys) {
@@ -147,7 +147,7 @@ export class Edits {
   }
 
   /**
-   * Send an edit; `over` is called when its answer is here, unless another was sent for the same meanwhile.
+   * Send an edit; `over` is called when its answer arrives, unless a newer edit for the same `what` was sent.
    * @param {string} what @param {string} kind @param {Record<string, any>} fields @param {() => void} over
    */
   async #sending(what, kind, fields, over) {
@@ -163,7 +163,7 @@ export class Edits {
 }
 
 /**
- * The wire's edit that puts a block to other times; null where they are its own.
+ * Return the wire's edit that changes a block's times; null if they are unchanged.
  * @param {Block} block @param {Times} times @returns {Edit | null}
  */
 function blockEdit(block, times) {

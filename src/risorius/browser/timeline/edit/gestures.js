@@ -3,13 +3,13 @@ import { moved, nearest, pulled, snappedBy, timesOf } from "../model/times.js";
 /** @import {TimelineController} from "../controller.js" */
 
 /**
- * What a pointer does from down to up. Each gesture has `move(x, y, event)`, `end()` and `cancel()`.
+ * Pointer gestures, from button down to button up. Each one has `move(x, y, event)`, `end()` and `cancel()`.
  *
  * `controller` is the timeline's own: {scene, edits, clock, actions, snaps, repaint, choose}.
  */
 
 const REACH = 7; // pixels within which an edit snaps
-const SLACK = 3; // pixels that a pointer may tremble without dragging
+const SLACK = 3; // pixels that a pointer may move without dragging
 
 /** Move the playhead; the sound pauses meanwhile. */
 export class Scrub {
@@ -38,7 +38,7 @@ export class Scrub {
   }
 }
 
-/** Choose the stretch that is repeated. */
+/** Choose the loop range. */
 export class DragLoop {
   #controller;
   #from;
@@ -65,7 +65,7 @@ export class DragLoop {
   }
 }
 
-/** Drag what is shown sideways (and nothing else). */
+/** Scroll sideways. */
 export class Pan {
   #controller;
   #held;
@@ -88,7 +88,7 @@ export class Pan {
   cancel() {}
 }
 
-/** Move a block, or pull one of its times: start, end of onset, start of offset, end. */
+/** Move a block, or change one of its times: start, end of onset, start of offset, end. */
 export class DragBlock {
   #controller;
   #block;

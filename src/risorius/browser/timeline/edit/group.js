@@ -5,10 +5,10 @@ import { editOf, moved, nearest, snappedBy, stretchTo, stretchedTogether, timesO
 /** @import {Scene} from "../paint/scene.js" */
 
 /**
- * Several movements that are selected together, and what is done to all of them: each is one change to undo.
+ * Edits of several selected movements: each edit is one step to undo.
  */
 
-const SLACK = 3; // pixels that a pointer may tremble without dragging
+const SLACK = 3; // pixels that a pointer may move without dragging
 const REACH = 7; // pixels within which a drag snaps
 
 /**
@@ -30,7 +30,7 @@ export function within(scene, { x0, y0, x1, y1 }) {
 }
 
 /**
- * The times of blocks moved together, as far as all stay in the take.
+ * Return the times of blocks moved together; the shift is limited so that all stay in the take.
  * @param {Times[]} all @param {number} delta @param {number} duration @returns {Times[]}
  */
 export function movedTogether(all, delta, duration) {
@@ -39,7 +39,7 @@ export function movedTogether(all, delta, duration) {
   return all.map((times) => times.map((time) => time + bound));
 }
 
-/** The wire's edits that put blocks to other times. @param {Block[]} blocks @param {Times[]} after */
+/** Return the wire's edits that change the times of blocks. @param {Block[]} blocks @param {Times[]} after */
 export function editsOf(blocks, after) {
   return blocks.flatMap((block, k) => {
     const edit = editOf(timesOf(block), after[k]);
@@ -50,7 +50,7 @@ export function editsOf(blocks, after) {
 }
 
 /**
- * Start of the first and end of the last of the selected movements as they are shown; null where one or none is.
+ * Return the shown start of the first and end of the last selected movement; null if fewer than two are selected.
  * @param {Pick<Scene, "group" | "model" | "edits">} scene @returns {[number, number] | null}
  */
 export function spanOf({ group, model, edits }) {
@@ -59,10 +59,10 @@ export function spanOf({ group, model, edits }) {
   return [Math.min(...shown.map(({ start }) => start)), Math.max(...shown.map(({ end }) => end))];
 }
 
-const GRIP = 4; // half the size of what a selection is stretched by
+const GRIP = 4; // half the size of a handle
 
 /**
- * The end of the selection's bar on the ruler at a place: 0 its start, 1 its end, -1 neither.
+ * Return which end of the selection's bar on the ruler is at a place: 0 start, 1 end, -1 neither.
  * @param {Scene} scene @param {SpeechRow | null} row @param {number} x @param {number} y
  */
 export function gripNear(scene, row, x, y) {
@@ -71,7 +71,7 @@ export function gripNear(scene, row, x, y) {
   return span.findIndex((time) => Math.abs(scene.view.x(time) - x) <= 2 * GRIP);
 }
 
-/** A bar on the ruler over all that is selected: its ends stretch it. @param {Scene} scene @param {SpeechRow} row */
+/** Draw a bar on the ruler over the selection: dragging its ends stretches the selection. @param {Scene} scene @param {SpeechRow} row */
 export function paintSpan(scene, row) {
   const span = spanOf(scene);
   if (!span) return;
@@ -83,7 +83,7 @@ export function paintSpan(scene, row) {
   for (const x of [left, right]) context.fillRect(x - GRIP, y - GRIP, 2 * GRIP, 2 * GRIP);
 }
 
-/** Stretch all that is selected, onsets and offsets too; the other end stays. */
+/** Stretch the selection, with onsets and offsets; the other end stays. */
 export class DragStretch {
   #controller;
   #blocks;
@@ -124,7 +124,7 @@ export class DragStretch {
   }
 }
 
-/** Move all that is selected; snaps as the block that is dragged does. */
+/** Move the selection; it snaps with the dragged block. */
 export class DragGroup {
   #controller;
   #block;

@@ -6,14 +6,14 @@ import { foundIn, h } from "../dom.js";
 /** @import {Scene} from "../paint/scene.js" */
 
 /**
- * Markers: times with a note, as flags on the ruler and as a list to type in.
+ * Markers: times with a note, as flags on the ruler and as an editable list.
  */
 
 const NEAR = 6; // pixels
 const WIDEST = 140; // pixels of a note on the ruler
 
 /**
- * The marker at a place on the ruler, by its index; -1 if there is none.
+ * Return the index of the marker at a place on the ruler, or -1.
  * @param {Scene} scene @param {SpeechRow | null} row @param {number} x
  */
 export function markerNear({ model, view }, row, x) {
@@ -85,7 +85,7 @@ export class DragMarker {
   }
 }
 
-/** The list of all markers, to be typed, gone to and deleted. */
+/** The list of all markers, to edit, go to and delete them. */
 export class MarkerList {
   #controller;
   #rows = h("div", { class: "stack" });
@@ -102,7 +102,7 @@ export class MarkerList {
     parent.append(this.#dialog);
   }
 
-  /** @param {number} [index] the marker whose note is to be typed */
+  /** @param {number} [index] the marker whose note gets the focus */
   open(index = 0) {
     if (!this.#controller.scene.model) return;
     this.#show();
@@ -112,7 +112,7 @@ export class MarkerList {
 
   #show() {
     const { markers } = this.#controller.scene.model;
-    const none = h("p", { class: "hint" }, "None yet. M sets one at the playhead.");
+    const none = h("p", { class: "hint" }, "No markers yet. Press M to set one at the playhead.");
     this.#rows.replaceChildren(...(markers.length ? markers.map((marker, k) => this.#row(marker, k)) : [none]));
   }
 

@@ -11,7 +11,7 @@ import { timesOf } from "../model/times.js";
 /** @import {Scene} from "../paint/scene.js" */
 
 /**
- * What lies under a point of the timeline.
+ * Return the part of the timeline under a point.
  */
 
 const NEAR_HANDLE = 6;

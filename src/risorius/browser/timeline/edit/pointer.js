@@ -28,16 +28,16 @@ const WHEEL = 0.0022; // zoom by a wheel's pixel
 const LINE = 16; // pixels of a wheel that reports lines
 /** @type {Record<string, string>} */
 const TITLES = {
-  edge: "Drag to correct where it begins; a double click puts it back",
-  grip: "Drag to stretch all that is selected",
-  marker: "Drag to move the marker; a double click lists all markers and their notes",
+  edge: "Drag to move this boundary; double-click to reset it",
+  grip: "Drag to stretch the selection",
+  marker: "Drag to move the marker; double-click to list all markers",
 };
 const STILL = 3; // pixels: less is a click
 
 /**
  * @param {HTMLCanvasElement} canvas @param {import("../controller.js").TimelineController} controller
  * @param {PointerParts} parts
- *   `walk` gives the keys to the list of blocks, at the one that is selected; `note` has a marker's note typed
+ *   `walk` moves the focus to the selected block in the list; `note` opens the editor of a marker's note
  */
 export function listen(canvas, controller, parts) {
   const { walk } = parts;
@@ -79,7 +79,7 @@ export function listen(canvas, controller, parts) {
     [gesture, down] = [null, null];
   };
   canvas.addEventListener("pointercancel", cancel);
-  // Whatever has the keyboard: a drag is given up before anything else is.
+  // Whatever has the focus, Escape first cancels a drag.
   /** @param {KeyboardEvent} event */
   const giveUp = (event) => {
     if (event.key !== "Escape" || !gesture) return;
@@ -124,7 +124,7 @@ function begun(controller, found, x, y, event) {
 
 /**
  * @param {TimelineController} controller @param {{block: Block, time: number}} found @param {number} x
- * @param {boolean} more whether it is selected besides those that are @returns {Gesture | null}
+ * @param {boolean} more whether it is added to the selection @returns {Gesture | null}
  */
 function begunOnBlock(controller, { block, time }, x, more) {
   if (more && block.free) {
@@ -140,7 +140,7 @@ function begunOnBlock(controller, { block, time }, x, more) {
 function clicked(controller, found) {
   if (found.kind === "graph" && !controller.draws) {
     const { row, time } = found;
-    if (!controller.clock.playing) controller.clock.seek(time); // the face shows what is explained
+    if (!controller.clock.playing) controller.clock.seek(time); // the face shows the explained moment
     controller.ask(time, row.names.length > 1 ? row.base : row.names[0]);
   }
   if (found.kind === "lane" || found.kind === "none") controller.choose(null);
@@ -180,7 +180,7 @@ function titleOf(controller, found, block) {
 }
 
 /**
- * The value under the pointer, and which channels are held back there.
+ * Return the value under the pointer, and the channels that are inhibited or limited there.
  * @param {TimelineController} controller @param {GraphRow} row @param {number} time
  */
 function valueOf({ scene: { model, details } }, row, time) {

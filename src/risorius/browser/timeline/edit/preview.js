@@ -1,8 +1,8 @@
 import { curvesOf } from "../../player/take.js";
 
 /**
- * The curves, and the face where the playhead stands, as they would be with the changes that are being made by hand:
- * one question at a time, the newest when the answer is there.
+ * Preview of edits in progress: the curves and the face at the playhead as they would be with these edits;
+ * one request at a time, then the newest state.
  */
 export class Preview {
   #actions;
@@ -16,7 +16,7 @@ export class Preview {
 
   /**
    * @param {import("../../studio/actions.js").Actions} actions @param {() => void} changed
-   * @param {() => number | null} standing where the playhead stands; null while it runs
+   * @param {() => number | null} standing time of the playhead; null while it runs
    */
   constructor(actions, changed, standing) {
     this.#actions = actions;
@@ -24,12 +24,12 @@ export class Preview {
     this.#standing = standing;
   }
 
-  /** @param {import("../model/model.js").Model} model whose curves are shown otherwise */
+  /** @param {import("../model/model.js").Model} model model whose curves are replaced */
   setModel(model) {
     this.#model = model;
   }
 
-  /** See to it that the curves with some edits are shown. @param {Record<string, any>[]} edits */
+  /** Show the curves with some edits. @param {Record<string, any>[]} edits */
   show(edits) {
     if (edits.length === 0) this.end();
     else {
@@ -51,7 +51,7 @@ export class Preview {
     const asked = this.#wanted;
     const answer = await this.#actions.preview(asked, this.#standing());
     this.#busy = false;
-    // What has been let go of or taken up meanwhile is no preview any more.
+    // Drop the answer if the edits have changed meanwhile.
     if (this.#wanted && answer?.take === this.#model?.take.take) this.#put(curvesOf(answer.curves));
     if (this.#wanted === asked) this.#wanted = null;
     this.#ask();

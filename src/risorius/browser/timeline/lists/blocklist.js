@@ -5,9 +5,9 @@ import { timesOf } from "../model/times.js";
 /** @import {Model} from "../model/model.js" */
 
 /**
- * The blocks as a list for the keyboard and for screen readers: one option has the focus, those near it are there.
+ * The blocks as a list for the keyboard and for screen readers: one option has the focus, and only options near it exist.
  *
- * The list is not seen; the canvas draws a strong frame round the block whose option has the focus.
+ * The list is invisible; the canvas draws a strong frame around the block whose option has the focus.
  */
 
 const AROUND = 12; // options on either side of the one in focus
@@ -29,7 +29,7 @@ export class BlockList {
     parent.append(this.#list, this.#said);
   }
 
-  /** Take up another model. @param {Model | null} model */
+  /** Switch to another model. @param {Model | null} model */
   setModel(model) {
     const id = this.#order[this.#current]?.id;
     this.#order = model ? model.lanes.flatMap(({ spans }) => spans.items) : [];
@@ -96,7 +96,7 @@ export class BlockList {
     this.#controller.reveal(block);
   }
 
-  /** The first block of the lane before or after, nearest in time to the present one. @param {-1 | 1} step */
+  /** Go to the block in the previous or next lane that is nearest in time. @param {-1 | 1} step */
   #goLane(step) {
     const { channel, start } = this.#order[this.#current];
     const lanes = [...new Set(this.#order.map((block) => block.channel))];
@@ -136,7 +136,7 @@ export class BlockList {
     return key in steps;
   }
 
-  /** Undo and redo, after what keys have just changed was sent. @param {KeyboardEvent} event */
+  /** Undo and redo, after pending keyboard edits were sent. @param {KeyboardEvent} event */
   #back({ key, ctrlKey, metaKey, shiftKey }) {
     if (!(ctrlKey || metaKey)) return false;
     const again = (key.toLowerCase() === "z" && shiftKey) || key === "y";
@@ -147,7 +147,7 @@ export class BlockList {
   }
 
   /**
-   * Arrows sideways: by a frame the block, with Shift its end, Alt its start, Ctrl its onset or its offset.
+   * Left and right arrows move the block by a frame; with Shift its end, Alt its start, Ctrl its onset, Ctrl Shift its offset.
    * @param {KeyboardEvent} event
    */
   #shape({ key, ctrlKey, metaKey, altKey, shiftKey }) {
@@ -164,13 +164,13 @@ export class BlockList {
   }
 }
 
-/** When a block acts, in a few words. @param {Block} block @param {TimelineController} controller */
+/** Return a block's times in a few words. @param {Block} block @param {TimelineController} controller */
 function timesTold(block, controller) {
   const [start, rise, fall, end] = timesOf(controller.edits.shown(block) ?? block).map((time) => time.toFixed(2));
   return `${start} to ${end}, apex ${rise} to ${fall}`;
 }
 
-/** A block in a sentence. @param {Block} block @param {TimelineController} controller */
+/** Describe a block in a sentence. @param {Block} block @param {TimelineController} controller */
 export function described(block, controller) {
   const shown = controller.edits.shown(block) ?? block;
   const targets = Object.entries(shown.targets).slice(0, 4);

@@ -4,7 +4,7 @@ import { withKey, withMoved } from "../model/keys.js";
 /** @import {Key} from "../../types.js" */
 
 /**
- * The keys drawn by hand on a parameter, as a table of numbers: what the mouse does on a graph, without one.
+ * The keys drawn by hand on a parameter, as a table of numbers: an alternative to the mouse.
  */
 
 const MOST = 60; // rows; more are edited on the graph
@@ -52,7 +52,7 @@ export class KeyTable {
     return h("tr", {}, ...[at, amount, shape, away].map((part) => h("td", {}, part)));
   }
 
-  /** How the curve passes a key. @param {string} parameter @param {Key} key @param {number} index @param {string} what */
+  /** Return the list of shapes of a key. @param {string} parameter @param {Key} key @param {number} index @param {string} what */
   #shape(parameter, key, index, what) {
     const options = Object.entries(SHAPES).map(([name, title]) => h("option", { value: name }, title));
     const list = h("select", { id: `tl-key-${index}-shape`, "aria-label": `Shape of ${what}` }, ...options);

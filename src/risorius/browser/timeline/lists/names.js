@@ -4,13 +4,13 @@ import { foundIn, h, spoken } from "../dom.js";
 /** @typedef {{state: "muted" | "solo" | "locked", sign: string | (() => Node), verb: string, title: string}} LaneState */
 
 /**
- * The names of lanes and graphs, to the left of them; a graph can be explained, asked for one side, and put away.
+ * The names of lanes and graphs, to the left of them; a graph can be explained, limited to one side, and removed.
  */
 
 /** @type {LaneState[]} */
 const STATES = [
-  { state: "muted", sign: "M", verb: "Mute", title: "its movements stay, and move nothing" },
-  { state: "solo", sign: "S", verb: "Solo", title: "only it and other solo lanes move the face" },
+  { state: "muted", sign: "M", verb: "Mute", title: "its movements stay but have no effect" },
+  { state: "solo", sign: "S", verb: "Solo", title: "only solo lanes move the face" },
   { state: "locked", sign: () => glyph("lock"), verb: "Lock", title: "its movements cannot be changed" },
 ];
 /** @type {Sides[]} */
@@ -42,13 +42,13 @@ export class Names {
     this.#corner.textContent = text;
   }
 
-  /** Keep beside what is drawn. */
+  /** Scroll with the canvas. */
   scroll() {
     const { headHeight, scroll, unit } = this.#controller.scene;
     this.#list.style.transform = `translateY(${(headHeight - scroll) * unit}px)`;
   }
 
-  /** Lay out the rows' names anew. */
+  /** Rebuild the rows' names. */
   show() {
     this.#corner.style.height = `${this.#controller.scene.headHeight * this.#controller.scene.unit}px`;
     const held = /** @type {HTMLElement | null} */ (document.activeElement)?.dataset.name;

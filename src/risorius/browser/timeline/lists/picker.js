@@ -2,7 +2,7 @@ import { h, spoken } from "../dom.js";
 /** @import {Base} from "../../types.js" */
 
 /**
- * Which muscles' graphs to show: a list to search in, with those that move marked.
+ * Choose the muscles whose graphs are shown: a searchable list that marks the ones that move.
  */
 export class Picker {
   #graphs;
@@ -47,10 +47,10 @@ export class Picker {
     const wanted = this.#search.value.trim().toLowerCase();
     const bases = [...model.bases.values()].filter(({ base, names }) => this.#text(base, names[0]).includes(wanted));
     this.#found.replaceChildren(...bases.map((entry) => this.#line(entry)));
-    if (bases.length === 0) this.#found.append(h("p", { class: "hint" }, "Nothing has that name."));
+    if (bases.length === 0) this.#found.append(h("p", { class: "hint" }, "No muscle matches."));
   }
 
-  /** All that a muscle may be searched by. @param {string} base @param {string} name */
+  /** Return the texts that a search for a muscle looks in. @param {string} base @param {string} name */
   #text(base, name) {
     const { catalogue } = this.#controller.scene.model;
     const { number, group } = this.#controller.scene.model.parameter(name);

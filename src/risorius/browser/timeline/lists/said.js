@@ -5,8 +5,8 @@ import { textOf } from "../paint/paint_head.js";
 const KINDS = ["words", "phones"];
 
 /**
- * Marks the word and the phone that are said now. They lie over the canvas, which is not drawn anew for them:
- * by software that takes longer than the face.
+ * Marks the current word and phone, in elements over the canvas, so that the canvas is not redrawn for them:
+ * without a graphics card, that takes longer than drawing the face.
  */
 export class Said {
   #marks = Object.fromEntries(KINDS.map((kind) => [kind, h("div", { class: "tl-said", hidden: "" })]));
@@ -20,7 +20,7 @@ export class Said {
     frame.append(...Object.values(this.#marks));
   }
 
-  /** Show what is said at the scene's time, where that is in sight. */
+  /** Mark the word and phone at the scene's time, if they are visible. */
   show() {
     for (const kind of KINDS) this.#place(kind, this.#box(kind));
   }

@@ -4,7 +4,7 @@ import { h, spoken } from "../dom.js";
 /** @typedef {{title: string, names: string[], value: number}} Target of one side, or of both */
 
 /**
- * How far a movement goes in each parameter, as numbers to change; two sides that agree are one number.
+ * The targets of a movement as editable numbers; two equal sides share one number.
  */
 export class Targets {
   #controller;
@@ -21,7 +21,7 @@ export class Targets {
       h("div", { class: "stack" }, ...rows)); // prettier-ignore
   }
 
-  /** Targets by parameter, those of both sides together where they are the same. @param {Block} block */
+  /** Return the targets by parameter; both sides are merged if they are the same. @param {Block} block */
   #groups({ targets }) {
     const { model } = this.#controller.scene;
     /** @type {Map<string, Target>} */

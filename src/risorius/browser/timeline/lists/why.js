@@ -7,7 +7,7 @@ import { timesOf } from "../model/times.js";
 /** @import {ContributionView, Reason} from "../../wire.js" */
 
 /**
- * What is selected, in words: a movement and its cause, a parameter's value with its winner and losers.
+ * Explains the selection in words: a movement and its cause, a parameter's value with its winner and losers.
  */
 
 const TIMES = ["Start", "Apex from", "Apex to", "End"];
@@ -22,7 +22,7 @@ export class Why {
   #keys;
   #targets;
   /** @type {NamedReason[]} */
-  #instead = []; // what moves the parameters that the selected movement aims at, where it does not
+  #instead = []; // reasons of the movements that win over the selected one
 
   /** @param {HTMLElement} parent @param {import("../controller.js").TimelineController} controller */
   constructor(parent, controller) {
@@ -53,7 +53,7 @@ export class Why {
     if (focus) foundIn(this.#box, `#${CSS.escape(focus)}`)?.focus();
   }
 
-  /** Show the times of the selected block as they are now. */
+  /** Show the current times of the selected block. */
   refresh() {
     const { block } = this.#controller;
     if (!block) return;
@@ -77,7 +77,7 @@ export class Why {
     return [...this.#head(block), when, ...told, ...(block.free ? this.#shape(block) : this.#shut(block))];
   }
 
-  /** Why a movement is not to be seen: what it aims at, and what moves that instead. @param {Block} block */
+  /** Explain why a movement is not visible, with the movements that act on its targets instead. @param {Block} block */
   #idle(block) {
     const { parameters } = this.#controller.scene.model;
     const targets = Object.entries(block.targets);
@@ -88,12 +88,12 @@ export class Why {
       ? h("p", {}, `It ${link ? "brings" : "keeps"} ${block.channel} ${link ? "back to" : "at"} rest`, ...(link ? [", after ", link] : []), ".")
       : h("p", {}, "At this time it has no visible effect.");
     const { silent } = this.#controller.scene.model;
-    if (silent.has(block.channel)) return [h("p", {}, `It moves nothing: the lane ${block.channel} is muted.`)];
+    if (silent.has(block.channel)) return [h("p", {}, `It has no effect: the lane ${block.channel} is muted.`)];
     const others = this.#instead.map((one) => this.#reason(one));
-    return others.length ? [why, h("p", { class: "hint" }, "What moves this at that time:"), ...others] : [why];
+    return others.length ? [why, h("p", { class: "hint" }, "Movements that act on the same muscles at that time:"), ...others] : [why];
   }
 
-  /** The movement before one in its lane that moved something, or null. @param {Block} block */
+  /** Return the previous movement in its lane that has a target, or null. @param {Block} block */
   #before({ channel, start }) {
     const { model } = this.#controller.scene;
     /** @param {{targets: Record<string, number>}} block */
@@ -103,20 +103,20 @@ export class Why {
     return lane.at(-1) ?? null;
   }
 
-  /** What a movement is, and why it is there. @param {Block} block */
+  /** Describe a movement and its cause. @param {Block} block */
   #head(block) {
     const title = h("h2", {}, block.label || "silence");
     const lane = h("p", { class: "tl-part", style: colourOf(block.channel) }, `${block.channel}, priority ${block.priority}`);
-    const cause = h("p", {}, block.cause ? `Because of ${block.cause}` : "No cause is known.");
+    const cause = h("p", {}, block.cause ? `Because of ${block.cause}` : "The cause is unknown.");
     return [title, lane, cause];
   }
 
-  /** Why it cannot be changed. @param {Block} block */
+  /** Explain why a movement cannot be changed. @param {Block} block */
   #shut({ editable, channel }) {
     return editable ? [h("p", { class: "hint" }, `The lane ${channel} is locked.`)] : [];
   }
 
-  /** Its times and targets as numbers to change. @param {Block} block */
+  /** Return its times and targets as number fields. @param {Block} block */
   #shape(block) {
     this.#times = TIMES.map((title, k) => this.#time(title, k));
     this.refresh();
@@ -173,12 +173,12 @@ function colourOf(channel) {
   return { "--colour": `var(--tl-channel-${channel})` };
 }
 
-/** A sentence with the names of parameters as people read them. @param {string} sentence @param {Parameters} parameters */
+/** Return a sentence with readable names of parameters. @param {string} sentence @param {Parameters} parameters */
 function readable(sentence, parameters) {
   return sentence.replace(/[a-z]+(?:_[a-z]+)*(?:\.(?:left|right))?/g, (name) => (parameters.has(name) ? spoken(name) : name));
 }
 
-/** Whether a block has a part in what a parameter does. @param {Reason} reason @param {Block | null} block */
+/** Whether a block affects a parameter. @param {Reason} reason @param {Block | null} block */
 function concerns({ winner, losers }, block) {
   return block !== null && [winner, ...losers].some((part) => part?.movement === block.id);
 }
@@ -189,7 +189,7 @@ function aims({ targets }, { parameter }) {
 }
 
 /**
- * Reasons with those of the two sides made one where they are the same.
+ * Merge the reasons of the two sides that are the same.
  * @param {Reason[]} reasons @returns {NamedReason[]}
  */
 function together(reasons) {

@@ -3,11 +3,11 @@ import { floatsOf } from "../../player/take.js";
 /** @import {ChannelCurve} from "../../wire.js" */
 
 /**
- * What each channel asks of a parameter and gets: fetched when a graph shows it, kept for the take.
+ * The value that each channel requests of a parameter and the one it gets: fetched for shown graphs, cached per take.
  */
 export class Details {
   /** @type {Map<string, {take: number, detail: Detail}>} */
-  #known = new Map(); // parameter -> {take, detail}; an older take's is shown until the new one's is here
+  #known = new Map(); // parameter -> {take, detail}; an older take's is shown until the new one arrives
   #asked = new Set();
   #take = 0;
   #actions;
@@ -19,7 +19,7 @@ export class Details {
     this.#changed = changed;
   }
 
-  /** Take up another take. @param {number} take @param {boolean} other whether it is another performance */
+  /** Switch to another take. @param {number} take @param {boolean} other whether it is another performance */
   setTake(take, other) {
     this.#take = take;
     this.#asked.clear();
@@ -28,13 +28,13 @@ export class Details {
 
   /**
    * @param {string} name
-   * @returns {Detail | null} what is known of a parameter now
+   * @returns {Detail | null} the detail of a parameter, or null if it has not arrived
    */
   of(name) {
     return this.#known.get(name)?.detail ?? null;
   }
 
-  /** See to it that a parameter is known for the current take. @param {string} name */
+  /** Fetch the detail of a parameter for the current take, unless it is cached. @param {string} name */
   want(name) {
     if (this.#asked.has(name) || this.#known.get(name)?.take === this.#take) return;
     this.#asked.add(name);

@@ -1,5 +1,5 @@
 /**
- * Which muscles' graphs are shown, and which sides of them: those that move most until the user chooses.
+ * The muscles (and sides) whose graphs are shown: those that move most, until the user chooses.
  */
 
 /** @import {Sides} from "../../types.js" */
@@ -34,7 +34,7 @@ export class Graphs {
     return this.#chosen ?? this.#lively;
   }
 
-  /** What the rows show: the names of the sides asked for, the left first. */
+  /** The rows: the names of the chosen sides, the left first. */
   get rows() {
     const model = this.#model;
     if (model === null) return [];
@@ -74,12 +74,12 @@ export class Graphs {
     this.#changed();
   }
 
-  /** What is kept with the project. */
+  /** The state to save with the project. */
   get kept() {
     return { chosen: this.#chosen, sides: Object.fromEntries(this.#sides) };
   }
 
-  /** Show what `kept` was. @param {import("../../wire.js").GraphsView} kept @param {import("./model.js").Model} model */
+  /** Restore a saved state. @param {import("../../wire.js").GraphsView} kept @param {import("./model.js").Model} model */
   restore({ chosen = null, sides = {} }, model) {
     /** @param {string} base */
     const known = (base) => model.bases.has(base);

@@ -1,5 +1,5 @@
 /**
- * How a curve drawn by hand passes its keys: straight, smooth by handles, or held until the next. A key is
+ * Shapes of keys in a curve drawn by hand: straight, smooth (with handles), or held until the next. A key is
  * [time, value], or [time, value, shape] with a shape of the wire; handles count seconds and value from the key.
  */
 
@@ -18,7 +18,7 @@ function isStraight(shape) {
   return !shape || !(shape.before || shape.after || shape.hold);
 }
 
-/** The fields of the wire's edit for keys with shapes. @param {Key[]} keys */
+/** Return the fields of the wire's edit for keys with shapes. @param {Key[]} keys */
 export function fieldsOf(keys) {
   const bent = keys.some(([, , shape]) => !isStraight(shape));
   return { keys: keys.map(([time, value]) => [time, value]), ...(bent ? { shapes: keys.map(([, , shape]) => shape ?? {}) } : {}) };
@@ -31,7 +31,7 @@ export function shapeOf([, , shape]) {
 }
 
 /**
- * The keys with one passed otherwise.
+ * Return the keys with the shape of one changed.
  * @param {Key[]} keys @param {number} index @param {keyof SHAPES} kind @returns {Key[]}
  */
 export function shaped(keys, index, kind) {
@@ -46,7 +46,7 @@ function replaced(keys, index, key) {
 }
 
 /**
- * Handles a third of the way to the neighbours, level at a peak or a valley, so that nothing overshoots.
+ * Return handles a third of the way to the neighbours, level at a peak or a valley to avoid overshoot.
  * @param {Key[]} keys @param {number} index @returns {KeyShape}
  */
 function smooth(keys, index) {
@@ -59,7 +59,7 @@ function smooth(keys, index) {
 }
 
 /**
- * The keys with a handle elsewhere; the other one turns with it, unless it is bent apart.
+ * Return the keys with one handle moved; the opposite handle turns with it unless `apart` is true.
  * @param {Key[]} keys @param {number} index @param {"before" | "after"} side
  * @param {[number, number]} handle seconds and value from the key @param {boolean} apart
  */
@@ -77,7 +77,7 @@ export function withHandle(keys, index, side, handle, apart) {
 }
 
 /**
- * A handle no longer than the time between two keys, as the server takes it.
+ * Return a handle limited to the time between two keys, as the server requires.
  * @param {[number, number]} handle @param {number} span @returns {[number, number]}
  */
 function within([seconds, amount], span) {
@@ -108,7 +108,7 @@ export function traceKeys(context, keys, x, y) {
   });
 }
 
-/** Where the handles of a key end. @param {Key} key @returns {{side: "before" | "after", time: number, value: number}[]} */
+/** Return the ends of a key's handles. @param {Key} key @returns {{side: "before" | "after", time: number, value: number}[]} */
 export function handlesOf([time, value, shape]) {
   const sides = /** @type {("before" | "after")[]} */ (["before", "after"]);
   return sides.flatMap((side) => {

@@ -1,16 +1,16 @@
 /**
- * Keys drawn by hand on a graph: lists of [time, value], or with a shape (`key_shapes.js`), whose times rise.
+ * Keys drawn by hand on a graph: lists of [time, value], or with a shape (`key_shapes.js`), in order of time.
  */
 
 /** @import {Around, Key} from "../../types.js" */
 
 const APART = 0.005; // s between two keys at least
-const TETHER = 0.15; // s in which a drawn curve leaves what was there, and meets it again
+const TETHER = 0.15; // s of transition between a drawn curve and the earlier one
 
 /**
- * The keys with one more.
+ * Return the keys with one added.
  * @param {Key[]} keys @param {number} time @param {number} value @returns {Key[]}
- * @param {{duration: number, valueAt: (time: number) => number}} around the curve as it was
+ * @param {{duration: number, valueAt: (time: number) => number}} around the curve before
  */
 export function withKey(keys, time, value, around) {
   const rest = keys.filter(([other]) => Math.abs(other - time) >= APART);
@@ -18,7 +18,7 @@ export function withKey(keys, time, value, around) {
 }
 
 /**
- * Keys and new ones among them; where there are none beyond these, they are tied to the curve as it was.
+ * Return the keys with new ones added; an end with no key beyond it gets one more, on the curve before the edit.
  * @param {Key[]} keys @param {Key[]} added @param {Around} around @returns {Key[]}
  */
 function tethered(keys, added, { duration, valueAt }) {
@@ -31,7 +31,7 @@ function tethered(keys, added, { duration, valueAt }) {
 }
 
 /**
- * The keys with one elsewhere, kept between its neighbours.
+ * Return the keys with one moved, limited by its neighbours.
  * @param {Key[]} keys @param {number} index @param {number} time @param {number} value @param {number} duration
  * @returns {Key[]}
  */
@@ -48,7 +48,7 @@ export function without(keys, index) {
 }
 
 /**
- * The keys with a line drawn freely in place of those under it.
+ * Return the keys with a freehand line in place of the keys under it.
  * @param {Key[]} keys @param {number} tolerance @param {Around} around @param {[number, number][]} line any order
  * @returns {Key[]}
  */
@@ -66,7 +66,7 @@ function sorted(keys) {
 }
 
 /**
- * The fewest points from which the line is nowhere further than `tolerance` (Douglas and Peucker 1973).
+ * Simplify a line to points within `tolerance` of it (Douglas and Peucker 1973).
  * @param {Key[]} line @param {number} tolerance @returns {Key[]}
  */
 export function simplified(line, tolerance) {
@@ -99,7 +99,7 @@ function furthest(line, first, last, tolerance) {
 }
 
 /**
- * Index of the key within `reach` pixels of a point, or -1.
+ * Return the index of the key within `reach` pixels of a point, or -1.
  * @param {Key[]} keys @param {(key: Key) => [x: number, y: number]} place @param {number} x @param {number} y
  * @param {number} reach
  */

@@ -5,25 +5,25 @@ import { Spans, stacked } from "./spans.js";
 /** @import {Around, Base, Block, Speech} from "../../types.js" */
 /** @import {Catalogue, ChannelRow, LaneStates, ParameterRow} from "../../wire.js" */
 
-const ALIKE = 1e-4; // what cannot be told apart in a graph
+const ALIKE = 1e-4; // smallest visible difference in a graph
 
 /**
- * A take as the timeline looks at it: a lane for each channel, an order of its blocks, curves to draw.
+ * A take prepared for the timeline: a lane for each channel, its blocks in order, curves to draw.
  *
- * Built anew for each take; what has not changed (curves, speech) is taken over from the model before.
+ * Rebuilt for each take; unchanged parts (curves, speech) are reused from the previous model.
  */
 export class Model {
   /** @type {WeakMap<Float32Array, Pyramid>} */
   #pyramids;
   /** @type {WeakMap<Float32Array, WeakMap<Float32Array, boolean>>} whether two curves differ */
   #compared = new WeakMap();
-  /** @type {Map<string, Float32Array | null>} curves that a change being made would make other; null where one would rest */
+  /** @type {Map<string, Float32Array | null>} curves that an edit in progress changes; null for one that would be at rest */
   previewed = new Map();
 
   /**
    * @param {Take} take
    * @param {Catalogue} catalogue the server's tables
-   * @param {Model | null} before the model of the take before
+   * @param {Model | null} before the model of the previous take
    */
   constructor(take, catalogue, before = null) {
     this.take = take;
@@ -31,7 +31,7 @@ export class Model {
     this.#pyramids = before ? before.#pyramids : new WeakMap();
     this.parameters = new Map(catalogue.parameters.map((parameter) => [parameter.name, parameter]));
     this.bases = basesOf(catalogue.parameters);
-    /** What is muted, solo and locked. @type {Required<import("../../wire.js").LaneStates>} */
+    /** The muted, solo and locked lanes. @type {Required<import("../../wire.js").LaneStates>} */
     this.states = /** @type {any} */ (take.lanes);
     const locked = new Set(this.states.locked);
     const blocks = take.blocks.map((block) => ({ ...block, free: block.editable && !locked.has(block.channel) }));
@@ -46,7 +46,7 @@ export class Model {
     this.edges = edgesOf(take);
   }
 
-  /** What the timeline made of a speech, where that is this take's. @param {Take["speech"]} speech @returns {Speech | null} */
+  /** Return the prepared speech if this take has the same one. @param {Take["speech"]} speech @returns {Speech | null} */
   of(speech) {
     return this.take.speech === speech ? this.speech : null;
   }
@@ -60,7 +60,7 @@ export class Model {
     return 1 / this.take.rate;
   }
 
-  /** @param {string} name @returns {Pyramid | null} the parameter's final curve; null where it rests */
+  /** @param {string} name @returns {Pyramid | null} the parameter's final curve; null if it is at rest */
   curve(name) {
     const values = this.#shown(name);
     return values ? this.pyramid(values) : null;
@@ -78,13 +78,13 @@ export class Model {
     return this.previewed.has(name) ? this.previewed.get(name) : this.take.curves[name];
   }
 
-  /** Parameters that a name means: itself, or both sides where it has none. @param {string} name */
+  /** Return the parameters that a name means: itself, or both sides if it names no side. @param {string} name */
   named(name) {
     return this.bases.get(name)?.names ?? [name];
   }
 
   /**
-   * Whether two parameters' curves are not the same, as those of the two sides most often are.
+   * Whether two parameters' curves differ; those of the two sides are usually the same.
    * @param {string} one @param {string} other
    */
   differ(one, other) {
@@ -96,7 +96,7 @@ export class Model {
     return known.get(b);
   }
 
-  /** The final value of a parameter at a time, between frames too. @param {string} name @param {number} time */
+  /** Return the final value of a parameter at a time, interpolated between frames. @param {string} name @param {number} time */
   valueAt(name, time) {
     const values = this.take.curves[name];
     if (!values) return this.parameter(name).neutral;
@@ -105,17 +105,17 @@ export class Model {
     return k < 0 ? values[0] : values[k] + (values[k + 1] - values[k]) * (at - k);
   }
 
-  /** A parameter that the catalogue is known to have. @param {string} name */
+  /** Return a parameter, which must be in the catalogue. @param {string} name */
   parameter(name) {
     return /** @type {ParameterRow} */ (this.parameters.get(name));
   }
 
-  /** The same without its side. @param {string} name */
+  /** Return its name without the side. @param {string} name */
   base(name) {
     return /** @type {Base} */ (this.bases.get(name));
   }
 
-  /** What a curve drawn on a parameter is tied to. @param {string} name @returns {Around} */
+  /** Return the curve that a drawn curve of a parameter joins at its ends. @param {string} name @returns {Around} */
   around(name) {
     return { duration: this.duration, valueAt: (time) => this.valueAt(name, time) };
   }
@@ -139,7 +139,7 @@ export class Model {
 }
 
 /**
- * Channels that move nothing: those that are muted, or all but those that are solo.
+ * Return the channels without effect: the muted ones, or all except the solo ones.
  * @param {Required<LaneStates>} states @param {ChannelRow[]} channels
  */
 function silentOf({ muted, solo }, channels) {
@@ -179,14 +179,14 @@ function speechOf(speech) {
   };
 }
 
-const QUIET = 12; // of 127: what is quieter is not shown louder
+const QUIET = 12; // of 127: quieter sounds are not amplified
 
-/** The greatest peak of a sound: the outline of a quiet recording is as high as any. @param {ArrayLike<number>} peaks */
+/** Return the greatest peak of a sound, by which its outline is normalized. @param {ArrayLike<number>} peaks */
 function loudestOf(peaks) {
   return Array.from(peaks).reduce((most, peak) => Math.max(most, Math.abs(peak)), QUIET);
 }
 
-/** Times that an edit snaps to: where phones begin and end, markers, and the take's own ends. @param {Take} take */
+/** Return the times that edits snap to: phone boundaries, markers, and the take's ends. @param {Take} take */
 function edgesOf({ speech, duration, markers }) {
   const phones = speech?.phones ?? [];
   const marked = markers.map(({ time }) => time);

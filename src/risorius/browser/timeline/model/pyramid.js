@@ -1,5 +1,5 @@
 /**
- * Least and greatest of ever larger groups of samples: any stretch of a curve is drawn with one pair a pixel.
+ * Minimum and maximum of ever larger groups of samples: any part of a curve is drawn with one pair per pixel.
  */
 
 /** @typedef {{step: number, low: Float32Array, high: Float32Array}} Level groups of `step` samples */
@@ -23,7 +23,7 @@ export class Pyramid {
   }
 
   /**
-   * Least and greatest of samples [first, last), at least one.
+   * Return minimum and maximum of samples [first, last), at least one.
    * @param {number} first @param {number} last @returns {[number, number]}
    */
   range(first, last) {

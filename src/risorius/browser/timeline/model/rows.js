@@ -1,11 +1,11 @@
 /**
- * What lies where from top to bottom, in pixels: the head (ruler, sound, words, phones) that stays in sight,
+ * The layout from top to bottom, in pixels: the head (ruler, sound, words, phones), which stays in view,
  * then lanes and graphs, which scroll.
  */
 
 /** @import {Band, Block, BodyRow, LaneRow, SpeechRow} from "../../types.js" */
 
-export const RULER = 20;
+const RULER = 20;
 /** @type {[SpeechRow["kind"], number][]} */
 const SPEECH = [
   ["wave", 34],
@@ -14,7 +14,7 @@ const SPEECH = [
 ];
 export const BLOCK = 17; // height of one row of blocks
 const LANE_PAD = 2;
-const LEAST = 25; // a lane's own height at least: its name is a button, which fingers must hit
+const LEAST = 25; // minimum height of a lane: its name is a button for fingers
 export const GRAPH = 52;
 
 /** @param {import("./model.js").Model} model @returns {SpeechRow[]} */
@@ -31,8 +31,8 @@ export function headRows(model) {
 
 /**
  * @param {import("./model.js").Model} model
- * @param {{base: string, names: string[]}[]} graphs what is drawn beneath the lanes
- * @param {Set<string>} folded channels whose lanes lay all movements on one row
+ * @param {{base: string, names: string[]}[]} graphs those beneath the lanes
+ * @param {Set<string>} folded channels whose lanes show all movements on one row
  * @returns {BodyRow[]}
  */
 export function bodyRows(model, graphs, folded) {

@@ -1,5 +1,5 @@
 /**
- * Things with a start and an end, in order of their starts: which of them lie in sight, and how they stack.
+ * Items with a start and an end, sorted by start: finding the visible ones, and stacking.
  */
 
 /** @typedef {{start: number, end: number, layer: string}} Layered */
@@ -37,7 +37,7 @@ export class Spans {
 }
 
 /**
- * Index of the first of the rising numbers that is at least `value`.
+ * Return the index of the first of the rising numbers that is at least `value`.
  * @param {ArrayLike<number>} numbers @param {number} value
  */
 export function firstAbove(numbers, value) {
@@ -51,7 +51,7 @@ export function firstAbove(numbers, value) {
 }
 
 /**
- * Stack spans so that none hides another: each group keeps together, on the lowest rows that are free.
+ * Stack spans without overlap: each group stays together, on the lowest free rows.
  *
  * @template {Layered} T
  * @param {T[]} items
@@ -84,7 +84,7 @@ function grouped(items) {
 const CLOSE = 1e-6; // s: spans that only touch do not hide each other
 
 /**
- * The row of each item of one group: the lowest whose last item has ended.
+ * Return the row of each item of one group: the lowest whose last item has ended.
  * @template {Layered} T @param {T[]} group @returns {Map<T, number>}
  */
 function packed(group) {

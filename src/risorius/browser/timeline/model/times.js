@@ -2,7 +2,7 @@ import { firstAbove } from "./spans.js";
 /** @import {Times} from "../../types.js" */
 
 /**
- * The four times of a block, [start, end of onset, start of offset, end] in seconds, and what edits make of them.
+ * The four times of a block, [start, end of onset, start of offset, end] in seconds, and edits of them.
  */
 
 export const LEAST = 0.01; // s: no block is made shorter
@@ -13,7 +13,7 @@ export function timesOf(block) {
 }
 
 /**
- * The same block elsewhere in [0, duration].
+ * Return the times of a block moved within [0, duration].
  * @param {Times} times @param {number} delta @param {number} duration @returns {Times}
  */
 export function moved(times, delta, duration) {
@@ -22,8 +22,8 @@ export function moved(times, delta, duration) {
 }
 
 /**
- * A block with one of its times pulled elsewhere. Pulling its start or end keeps the length of its onset and
- * offset, as long as both fit; else both shrink in proportion.
+ * Return the times of a block with one of them changed. Changing start or end keeps the length of onset and
+ * offset if both fit; otherwise both shrink in proportion.
  * @param {Times} times @param {number} time @param {number} duration @returns {Times}
  * @param {number} handle 0 start, 1 end of onset, 2 start of offset, 3 end
  */
@@ -48,9 +48,9 @@ function within(value, low, high) {
 }
 
 /**
- * The fields of the wire's edit that makes `before` into `after`.
+ * Return the fields of the wire's edit that turns `before` into `after`.
  * @param {Times} before @param {Times} after
- * @returns {{kind: string, fields: Record<string, number>} | null} null where they are the same
+ * @returns {{kind: string, fields: Record<string, number>} | null} null if they are the same
  */
 export function editOf(before, after) {
   /** @param {number} k */
@@ -70,7 +70,7 @@ export function editOf(before, after) {
 }
 
 /**
- * Several blocks stretched together: what lay at `fixed` stays, what lay at `from` comes to lie at `to`.
+ * Stretch several blocks together: time `fixed` stays, time `from` moves to `to`.
  * @param {number} fixed @param {number} from @param {number} to @param {number} duration @returns {Times[]}
  * @param {number[][]} all the times of each block
  */
@@ -82,7 +82,7 @@ export function stretchedTogether(all, fixed, from, to, duration) {
 }
 
 /**
- * The fields of the wire's edit that gives a block these times, its onset and offset too.
+ * Return the fields of the wire's edit that sets a block's times, with onset and offset.
  * @param {Times} times @returns {{kind: string, fields: Record<string, number>}}
  */
 export function stretchTo([start, rise, fall, end]) {
@@ -90,7 +90,7 @@ export function stretchTo([start, rise, fall, end]) {
 }
 
 /**
- * The nearest of the sorted times within `reach`, or null.
+ * Return the nearest of the sorted times within `reach`, or null.
  * @param {Float64Array} edges @param {number} time @param {number} reach @returns {number | null}
  */
 export function nearest(edges, time, reach) {
@@ -100,7 +100,7 @@ export function nearest(edges, time, reach) {
 }
 
 /**
- * By how much a moved block goes further so that its start or end meets an edge; 0 where neither is near.
+ * Return the extra shift that brings a moved block's start or end to an edge; 0 if none is near.
  * @param {Float64Array} edges @param {Times} times @param {number} reach
  */
 export function snappedBy(edges, times, reach) {

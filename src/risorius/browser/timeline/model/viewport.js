@@ -1,10 +1,10 @@
 /**
- * Which part of the take is shown, and how large: seconds to pixels and back.
+ * The visible part of the take and its scale: converts seconds to pixels and back.
  */
 
 const CLOSEST = 1200; // pixels a second at most: a frame of 30 fps is then 40 pixels wide
 const MARGIN = 0.02; // s shown before the beginning
-const ROOM = 40; // pixels left beside what is brought into sight
+const ROOM = 40; // pixels beside a span that is scrolled into view
 const READABLE = 14; // s shown of a longer take at first
 const FOLLOWED = 0.82; // share of the width after which a playhead that is followed turns the page
 const TURNED = 0.12; // where it stands after that
@@ -35,7 +35,7 @@ export class Viewport {
   }
 
   /**
-   * Take up another width or duration; what is at the left edge stays there.
+   * Set another width or duration; the time at the left edge stays.
    * @param {number} width @param {number} duration
    */
   resize(width, duration) {
@@ -45,7 +45,7 @@ export class Viewport {
     this.scrollTo(this.start);
   }
 
-  /** Show a take for the first time: its beginning, as much as can be read. */
+  /** Show a new take: its beginning, at a readable scale. */
   open() {
     this.fit();
     if (this.span > READABLE) this.zoom(this.span / READABLE, 0);
@@ -64,7 +64,7 @@ export class Viewport {
     this.start = Math.max(-MARGIN, Math.min(start, last));
   }
 
-  /** Make all larger by a factor; what is at `x` stays there. @param {number} factor @param {number} x */
+  /** Zoom in by a factor; the time at `x` stays. @param {number} factor @param {number} x */
   zoom(factor, x) {
     const held = this.time(x);
     this.scale = Math.max(this.#widest, Math.min(this.scale * factor, CLOSEST));
@@ -72,7 +72,7 @@ export class Viewport {
   }
 
   /**
-   * Bring a span of time into sight if it is not.
+   * Scroll to a span of time unless it is visible.
    * @param {number} from @param {number} [to] @returns {boolean} whether anything moved
    */
   reveal(from, to = from) {

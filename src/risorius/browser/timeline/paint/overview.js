@@ -3,10 +3,10 @@ import { contextOf } from "../../parts/dom.js";
 import { h } from "../dom.js";
 
 /**
- * The whole take in one strip: its sound, and which part of it is in sight; dragging scrolls.
+ * The whole take in one strip, with its sound and the visible part; dragging scrolls.
  */
 
-const PART = 0.2; // share of what is in sight by which an arrow key scrolls
+const PART = 0.2; // share of the visible part by which an arrow key scrolls
 
 export class Overview {
   #canvas = h("canvas");
@@ -55,7 +55,7 @@ export class Overview {
     this.#controller.repaint();
   }
 
-  /** Show where the view is. */
+  /** Show the visible part. */
   show() {
     const { view, model } = this.#controller.scene;
     if (!model) return;
@@ -69,7 +69,7 @@ export class Overview {
     this.#paint();
   }
 
-  /** The sound's outline; drawn again only for another take, size or theme. */
+  /** The sound's outline; redrawn only for another take, size or theme. */
   #paint() {
     const { model, palette } = this.#controller.scene;
     const { clientWidth: width, clientHeight: height } = this.#box;

@@ -5,13 +5,13 @@ import { handlesOf, traceKeys } from "../model/key_shapes.js";
 /** @import {Scene} from "./scene.js" */
 
 /**
- * The graph of a muscle: its final curve, each channel's own beneath, and where one was held back.
+ * The graph of a muscle: its final curve, each channel's own beneath, and shading where a channel is inhibited or limited.
  */
 
 const PAD = 5;
 
 /**
- * The scale of a graph: values to heights and back. Degrees are shown as far as they go, at least 5.
+ * The scale of a graph: values to heights and back. Degrees are shown up to their maximum, at least 5.
  * @param {Model} model @param {GraphRow} row @returns {Scale}
  */
 export function scaleOf(model, row) {
@@ -57,7 +57,7 @@ export function paintGraph(scene, row) {
   for (const name of row.names) paintKeys(scene, row, scale, name);
 }
 
-/** What the top and the bottom of the graph stand for. @param {Scene} scene @param {GraphRow} row @param {Scale} scale */
+/** Label the top and the bottom of the graph. @param {Scene} scene @param {GraphRow} row @param {Scale} scale */
 function paintScale({ context, palette, width, model }, row, { least, most }) {
   const { unit } = model.parameter(row.names[0]);
   const places = most - least > 4 ? 0 : most - least > 1 ? 1 : 0;
@@ -90,7 +90,7 @@ function stroke({ context }, colour, width) {
 }
 
 /**
- * Channels' curves: what each asks as a line, what it gets filled; shaded where one was held back.
+ * Draw the channels' curves: requested values as lines, actual ones filled; inhibited or limited parts are shaded.
  * @param {Scene} scene @param {GraphRow} row @param {Scale} scale @param {Detail} detail
  */
 function paintChannels(scene, row, scale, { channels }) {
@@ -137,7 +137,7 @@ function fillGiven(scene, scale, channel, colour) {
 }
 
 /**
- * Trace a curve through what is in sight: frame by frame, or least and greatest of each pixel.
+ * Trace the visible part of a curve: frame by frame, or by minimum and maximum of each pixel.
  * @param {Scene} scene @param {Scale} scale @param {Pyramid} curve @param {number} neutral
  * @returns {[number, number]} the time of the first and the last point
  */
@@ -161,7 +161,7 @@ function trace({ context, view, model, count, width }, scale, curve, neutral) {
 }
 
 /**
- * Keys drawn by hand, the curve through them, and the handles of the selected one.
+ * Draw the manual keys, the curve through them, and the handles of the selected key.
  * @param {Scene} scene @param {GraphRow} row @param {Scale} scale @param {string} name
  */
 function paintKeys(scene, row, scale, name) {

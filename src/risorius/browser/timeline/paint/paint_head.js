@@ -42,7 +42,7 @@ function label(context, text, x, y, palette) {
   context.fillStyle = palette.rule;
 }
 
-/** Seconds as 1:02.50, with as many places as a step needs. @param {number} time */
+/** Format seconds as 1:02.50, with the decimals that a step needs. @param {number} time */
 export function clockTime(time, step = 0.001) {
   const places = step >= 1 ? 0 : step >= 0.1 ? 1 : step >= 0.01 ? 2 : 3;
   const minutes = Math.floor(time / 60);
@@ -51,7 +51,7 @@ export function clockTime(time, step = 0.001) {
 }
 
 /**
- * The sound's outline, from the coarsest zoom that is fine enough; pauses behind it, accents above.
+ * Draw the sound's outline, from the coarsest zoom that is fine enough; pauses behind it, accents above.
  * @param {Scene} scene @param {SpeechRow} row
  */
 export function paintWave(scene, row) {
@@ -102,7 +102,7 @@ function paintPauses({ context, view, model, palette, count }, row) {
   }
 }
 
-/** The speech, where rows of it are drawn. @param {Model} model */
+/** Return the speech if its rows are drawn. @param {Model} model */
 function speechOf(model) {
   return /** @type {Speech} */ (model.speech);
 }
@@ -136,7 +136,7 @@ function paintTones({ context, view, model, palette, count }, row) {
 
 const NARROW = 7; // pixels in which no text fits
 
-/** Words or phones: a box each with its text, as far as it fits. @param {Scene} scene @param {SpeechRow} row */
+/** Draw words or phones: a box each, with its text if it fits. @param {Scene} scene @param {SpeechRow} row */
 export function paintTexts({ context, view, palette, model, count }, row) {
   const words = row.kind === "words";
   const speech = speechOf(model);
@@ -146,7 +146,7 @@ export function paintTexts({ context, view, palette, model, count }, row) {
   let painted = -Infinity;
   for (const item of (words ? speech.words : speech.phones).within(view.start, view.end)) {
     const [x, end] = [view.x(item.start), view.x(item.end)];
-    if (end - painted < 1) continue; // within one pixel of what is there
+    if (end - painted < 1) continue; // within one pixel of the last box
     painted = end;
     count.texts++;
     paintText({ context, palette, view }, row, item, [x, end]);
@@ -171,13 +171,13 @@ function paintText({ context, palette, view }, row, item, [x, end]) {
   if (context.measureText(shown).width <= room) context.fillText(shown, (left + right) / 2, y);
 }
 
-/** What is said, in letters or as a phone's symbol. @param {WordView | PhoneView} item */
+/** Return the text of a word or the symbol of a phone. @param {WordView | PhoneView} item */
 export function textOf(item) {
   return "text" in item ? item.text : item.symbol;
 }
 
 /**
- * A text, or as many of its letters as there is room for; a single letter would say nothing.
+ * Return a text, shortened to the available width; "" if only one letter would fit.
  * @param {CanvasRenderingContext2D} context @param {string} text @param {number} room
  */
 export function beginning(context, text, room) {

@@ -10,11 +10,11 @@ import { blockBand } from "../model/rows.js";
 
 const SMALLEST = 2; // pixels: a narrower block is a stroke, and only one of those is drawn in a pixel
 const LABELLED = 34;
-export const HANDLE = 3.5; // half the size of what a block is stretched by
+const HANDLE = 3.5; // half the size of a handle
 const LEAST_HEIGHT = 0.45; // share of its row that the weakest movement fills
 
 /**
- * What was drawn last in each row of blocks, by its top: strokes, and where labels end, so that none is drawn
+ * The end of the last stroke and label in each row of blocks, by its top, so that nothing is drawn
  * over another.
  * @typedef {{silent: boolean, strokes: Map<number, number> | null, labels: Map<number, number>}} Drawn
  */
@@ -62,7 +62,7 @@ function paintBlock(scene, row, block, { silent, strokes, labels }) {
 }
 
 /**
- * A movement that moves nothing, its lane being muted.
+ * Draw a movement of a muted lane.
  * @param {Scene} scene @param {number[]} xs @param {Band} band @param {string} colour
  */
 function outlineBlock({ context }, xs, [top, bottom], colour) {
@@ -92,7 +92,7 @@ function fillBlock({ context, shapes, model, view }, block, xs, [top, bottom], c
 }
 
 /**
- * How strong a movement is: its greatest target as a share of its parameter's range, 0 to 1.
+ * Return the strength of a movement: its greatest target as a share of its parameter's range, 0 to 1.
  * @param {Block} block @param {Model} model
  */
 function strength(block, model) {
@@ -139,7 +139,7 @@ function paintLabel({ context, view, palette, count }, block, xs, [top, bottom],
 }
 
 /**
- * What moves and on what; where that has no room, what moves: on what is seen above.
+ * Return a label that fits: movement and word, else the movement alone (the word is shown above), shortened if needed.
  * @param {CanvasRenderingContext2D} context @param {Block} block @param {number} room
  */
 export function labelWithin(context, block, room) {
@@ -153,7 +153,7 @@ export function labelWithin(context, block, room) {
 }
 
 /**
- * A layer's name as people read it: "brows"; one that only counts ("1.happiness") says nothing more.
+ * Return the readable name of a layer ("brows"), or "" for one that only counts ("1.happiness").
  * @param {Block} block
  */
 function layerOf({ layer, label }) {
@@ -176,7 +176,7 @@ function paintChosen({ context, palette }, block, xs, [top, bottom], focused) {
 }
 
 /**
- * Where the handles are: start, end of onset, start of offset, end.
+ * Return the places of the handles: start, end of onset, start of offset, end.
  * @param {number[]} xs @param {number} top @param {number} bottom @returns {[x: number, y: number][]}
  */
 export function handlePlaces(xs, top, bottom) {

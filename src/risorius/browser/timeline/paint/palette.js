@@ -1,5 +1,5 @@
 /**
- * Colours as the page's style sheet has them now: canvas knows no variables.
+ * The current colours of the page's style sheet: a canvas cannot use CSS variables.
  */
 
 /** @import {Palette, ColourName} from "../../types.js" */
@@ -22,7 +22,7 @@ export function paletteOf(element, channels) {
   };
 }
 
-/** Call when light becomes dark or the other way round. @param {() => void} call @returns {() => void} ends it */
+/** Call `call` when the theme changes. @param {() => void} call @returns {() => void} ends it */
 export function onTheme(call) {
   const watcher = new MutationObserver(call);
   watcher.observe(document.documentElement, { attributes: true, attributeFilter: ["data-theme", "class", "style"] });

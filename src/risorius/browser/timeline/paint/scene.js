@@ -8,15 +8,15 @@ import { paintLane } from "./paint_lanes.js";
 import { bodyRows, headRows, heightOf } from "../model/rows.js";
 /** @import {BodyRow, Box, Palette, SpeechRow} from "../../types.js" */
 
-const TEXT = 16; // size of the page's text for which the scene's pixels are the page's
+const TEXT = 16; // text size of the page at which one pixel of the scene is one of the page
 
 /**
- * All that a picture of the timeline is made of, and the picture.
+ * The state that a picture of the timeline is drawn from, and the drawing itself.
  *
- * Only what is in sight is drawn: `count` says how much that was the last time, whatever the take's length.
+ * Only visible parts are drawn: `count` is the number of parts drawn last.
  */
 export class Scene {
-  /** @type {import("../model/model.js").Model} there as soon as a take is: nothing is drawn before */
+  /** @type {import("../model/model.js").Model} there set with the first take: nothing is drawn before */
   model = /** @type {any} */ (null);
   /** @type {SpeechRow[]} */
   head = [];
@@ -26,7 +26,7 @@ export class Scene {
   graphs = [];
   /** @type {Set<string>} channels */
   folded = new Set();
-  unit = 1; // the page's pixels in one of the scene's: all grows with the page's text
+  unit = 1; // pixels of the page in one of the scene: the timeline scales with the page's text
   scroll = 0;
   height = 0;
   time = 0;
@@ -41,11 +41,11 @@ export class Scene {
   /** @type {{parameter: string, index: number} | null} */
   selectedKey = null;
   focused = false; // whether the selected block has the keyboard
-  /** @type {[number, number] | null} what is repeated */
+  /** @type {[number, number] | null} the loop range */
   loop = null;
   /** @type {number | null} time of the edge that a drag has snapped to */
   guide = null;
-  /** @type {{time: number, name: string} | null} the parameter that was asked about */
+  /** @type {{time: number, name: string} | null} the explained parameter and time */
   marked = null;
   /** @type {import("../model/shape.js").Shapes} */
   shapes = /** @type {any} */ (null);
@@ -58,7 +58,7 @@ export class Scene {
    * @param {{view: import("../model/viewport.js").Viewport, edits: import("../edit/edits.js").Edits, details: import("../model/details.js").Details}} parts
    */
   constructor(canvas, { view, edits, details }) {
-    // Canvas by a graphics card that is none is ten times as slow as without.
+    // An accelerated canvas without a real graphics card is ten times slower than a plain one.
     this.context = contextOf(canvas, { willReadFrequently: graphics() !== "card" });
     this.canvas = canvas;
     this.view = view;
@@ -78,13 +78,13 @@ export class Scene {
     return heightOf(this.body);
   }
 
-  /** Lay out anew: another model, or other graphs. */
+  /** Update the layout for another model or other graphs. */
   arrange() {
     this.head = headRows(this.model);
     this.body = bodyRows(this.model, this.graphs, this.folded);
   }
 
-  /** Take up the canvas' size in the page's pixels. @param {number} width @param {number} height */
+  /** Set the canvas's size in the page's pixels. @param {number} width @param {number} height */
   resize(width, height) {
     this.unit = parseFloat(getComputedStyle(document.documentElement).fontSize) / TEXT;
     const ratio = devicePixelRatio || 1;
@@ -118,7 +118,7 @@ export class Scene {
     if (this.guide !== null) this.#line(this.guide, palette.mark, [2, 2]);
   }
 
-  /** Rows of the body that are in sight. */
+  /** Return the visible rows of the body. */
   visible() {
     const [top, bottom] = [this.scroll, this.scroll + this.height - this.headHeight];
     return this.body.filter((row) => row.y < bottom && row.y + row.height > top);
@@ -144,7 +144,7 @@ export class Scene {
     paintSpan(this, row);
   }
 
-  /** Faint lines where words begin, as far as they stand apart. */
+  /** Draw faint lines at the starts of words, if they are far enough apart. */
   #paintWords() {
     const { context, view, palette, model, count } = this;
     context.fillStyle = palette.grid;
@@ -158,7 +158,7 @@ export class Scene {
     }
   }
 
-  /** Where an explanation was asked for. */
+  /** Draw a marker at the explained time. */
   #paintMarked() {
     const { marked } = this;
     const row = marked && this.body.find((r) => r.kind === "graph" && r.names.includes(marked.name));
