@@ -153,7 +153,8 @@ class BlendChoices(metaclass=Named):
 
     conflict: str | None = _model(
         "Conflicts", None, "How conflicts between muscles are resolved: {names}.",
-        metavar="POLICY", usual=choices.CONFLICT.planned, names=choices.CONFLICT_POLICIES,
+        metavar="POLICY", usual=choices.CONFLICT.planned, scored=choices.CONFLICT.score,
+        names=choices.CONFLICT_POLICIES,
         registry="blend.conflict:POLICIES", what="conflict policy")
     activation_threshold: float | None = _model(
         "Threshold", None, "Activity of a rival above which a muscle gives way.",
@@ -168,13 +169,13 @@ class BlendChoices(metaclass=Named):
         "Onsets", None,
         "The function by which all movements rise and fall: {names}.",
         names=choices.ONSET_FUNCTIONS, registry="core.functions:ONSET_FUNCTIONS", what="onset function",
-        unset="by channel")
+        scored="each movement's, exponential if it names none", unset="by channel")
     contact: bool | None = _model(
         "Lips always close", None, "Switch off the lips' contact goals, to see their effect.",
         flag="--without-contact", usual=choices.CONTACT.planned)
     lips: str | None = _model(
         "Lips", None, "Model of coarticulation: {names}.",
-        metavar="MODEL", usual=choices.LIPS.planned, names=choices.LIP_MODELS,
+        metavar="MODEL", usual=choices.LIPS.planned, scored=choices.LIPS.score, names=choices.LIP_MODELS,
         registry="blend.mouth.coarticulation:LIP_MODELS",
         what="lip model")
     rounding: float | None = _model(
