@@ -20,6 +20,7 @@ from ..core.parameters import INDEX, PARAMETERS
 from ..rules.match import EYES
 from ..rules.profiles import BlinkHabits
 from ..rules.saccade import saccade_duration
+from ..rules.stillness import StillTime, after_pauses
 from .blinks import blink
 
 Angles = tuple[float, float]
@@ -109,7 +110,8 @@ class _Chain:
 class _Pose:
     """The directions of eyes and head, and all movements that brought them there."""
 
-    def __init__(self) -> None:
+    def __init__(self, pauses: Sequence[StillTime]) -> None:
+        self._pauses = pauses
         self.eye: Angles = (0.0, 0.0)
         self.head: Angles = (0.0, 0.0)
         self.ready = 0.0
@@ -127,9 +129,10 @@ class _Pose:
         self.ready = start + landing + _REFRACTORY
         if moved := math.dist(head, self.head):
             onset = head_duration(moved)
-            self.eyes.add(start + landing, onset, self.eye, "minimum_jerk", cause)
-            self.heads.add(start + landing, onset, head, "minimum_jerk", cause)
-            self.ready = start + landing + max(onset, _REFRACTORY)
+            follows = after_pauses(start + landing, onset, self._pauses)
+            self.eyes.add(follows, onset, self.eye, "minimum_jerk", cause)
+            self.heads.add(follows, onset, head, "minimum_jerk", cause)
+            self.ready = follows + max(onset, _REFRACTORY)
         self.head = head
         return size
 
@@ -156,14 +159,16 @@ def shifts_of(
     duration: float,
     habits: BlinkHabits,
     boundaries: Sequence[float],
+    pauses: Sequence[StillTime],
     numbers: CounterRng,
 ) -> Iterator[Movement]:
     """Yield the movements of eyes, head and lids for shifts of gaze in order of time.
 
     A shift that comes while the last one is under way waits for it, and is left out if the next one comes
-    first. `habits` say how probable a blink is with a shift by 33 degrees; see `blinks_with`.
+    first. The head does not follow in `pauses` that are short, but after them. `habits` say how probable a
+    blink is with a shift by 33 degrees; see `blinks_with`.
     """
-    pose = _Pose()
+    pose = _Pose(pauses)
     for number, (shift, following) in enumerate(pairwise([*shifts, None])):
         assert shift is not None
         start = max(shift.start, pose.ready)

@@ -78,7 +78,8 @@ def gaze(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
     numbers, ends = context.numbers, _Ends(inputs)
     looks = _averted(inputs, _commanded(inputs, _apart(looks), ends, context), ends, numbers)
     shifts = list(_fixations(inputs, looks, ends, numbers))
-    yield from shifts_of(shifts, inputs.duration, inputs.profile.blinks, inputs.units.boundaries, numbers)
+    units, blinks = inputs.units, inputs.profile.blinks
+    yield from shifts_of(shifts, inputs.duration, blinks, units.boundaries, units.pauses, numbers)
 
 
 class _Ends:

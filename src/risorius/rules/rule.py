@@ -15,6 +15,7 @@ from typing import Annotated
 from ..core.action_units import resolve_targets
 from ..core.channels import CHANNELS
 from ..core.functions import ONSET_FUNCTIONS
+from ..core.parameters import PARAMETERS, Kind
 from ..core.speech.tobi import boundary_tone, pitch_accent
 from ..core.speech.utterance import PauseKind, Question
 from ..core.units import RiseSeconds, Share
@@ -27,6 +28,7 @@ from .lips import lip_table
 from .markup import markup_table
 
 ANY, NOTHING_FELT = "any", "none"
+HEAD = tuple(p.name for p in PARAMETERS if p.kind is Kind.HEAD)
 AWAY = "away"
 Shift = Annotated[float, Range(-5.0, 5.0)]
 
@@ -66,7 +68,10 @@ class TurnState(StrEnum):
 
 
 class RuleAnchor(StrEnum):
-    """The point of a unit from which a movement starts; ANYWHERE is drawn, WHOLE spans the unit."""
+    """The point of a unit from which a movement starts; ANYWHERE is drawn, WHOLE spans the unit.
+
+    AROUND a pause a movement rises over the word before and falls over the word after.
+    """
 
     START = "start"
     MIDDLE = "middle"
@@ -74,6 +79,7 @@ class RuleAnchor(StrEnum):
     ACCENT = "accent"
     ANYWHERE = "anywhere"
     WHOLE = "whole"
+    AROUND = "around"
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,6 +174,7 @@ class Timing:
 
     It starts `lead` before the anchor, is held for `apex` (to the unit's end if None), and is snapped to
     the phonemes' boundaries unless `snap` is false. `function`: an onset function, the channel's if None.
+    `shortest`: how long a movement lasts at least that spans its unit.
     """
 
     at: RuleAnchor = RuleAnchor.START
@@ -177,6 +184,7 @@ class Timing:
     offset: RiseSeconds = 0.2
     snap: bool = True
     function: str | None = None
+    shortest: RiseSeconds = 0.1
 
     def __post_init__(self) -> None:
         if self.function is not None:
@@ -225,6 +233,10 @@ class Rule:
             raise ParameterError(unknown(f"channel of rule '{self.id}'", self.channel, RULED_CHANNELS))
         if not _ID.fullmatch(self.id):
             raise InputError(f"rule id '{self.id}' cannot be used; expected channel.part.name")
+        if self.timing.at is RuleAnchor.AROUND and self.level is not Level.PAUSE:
+            raise InputError(
+                f"rule '{self.id}': only a pause has words around it; expected level = \"pause\""
+            )
         for name in self.when.asked():
             if name not in CONDITIONS[self.level]:
                 known = ", ".join(sorted(CONDITIONS[self.level]))
@@ -240,3 +252,9 @@ class Rule:
     def part(self) -> str:
         """The part of the face that moves."""
         return self.id.split(".")[1]
+
+    @property
+    def moves_head_in_speech(self) -> bool:
+        """Whether it moves the head together with words: not in pauses, nor about the end of a turn."""
+        turns = any(name in HEAD for name in self.effect.targets) or self.effect.gesture is not None
+        return turns and self.level not in (Level.PAUSE, Level.TURN, Level.MOMENT)
