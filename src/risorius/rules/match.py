@@ -83,6 +83,8 @@ def _matched(
     for condition in conditions(rule.when):
         fitting = filter(condition, fitting)
     for unit in fitting:
+        if _is_displayed(rule, unit):
+            continue
         felt = felt_modulations(unit.emotions)
         ways = (*modulations, *felt)
         chance = rule.probability * (rate_of(rule.id, ways) if felt else rate)
@@ -94,6 +96,12 @@ def _matched(
         mirrored = rule.effect.mirror and alike.uniform("side") >= 0.5 * (1.0 + side)
         span = _span(rule, unit, own)
         yield _event(rule, unit, units, span, size, mirrored=mirrored)
+
+
+def _is_displayed(rule: Rule, unit: RuleSpan) -> bool:
+    """Tell whether a rule's emblem is of an emotion that the face displays already."""
+    emblem = rule.effect.emblem
+    return emblem is not None and unit.emotions.get(emotion_key(emblem), 0.0) > 0.0
 
 
 def _varied(deviation: float, numbers: CounterRng) -> float:
