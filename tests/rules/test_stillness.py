@@ -124,5 +124,6 @@ def test_the_last_gesture_of_all_goes_on_when_all_is_said() -> None:
 def test_a_short_movement_is_lengthened_to_a_boundary_within_reach() -> None:
     twitch = MovementPhases(1.0, 1.05, 1.07, 1.13)
     assert lasting(twitch, 0.1, ()) == twitch
+    assert lasting(twitch, 0.25, ()).apex == pytest.approx(1.1)
     assert lasting(twitch, 0.25, (1.2, 1.3)).end == 1.3
     assert lasting(twitch, 0.25, (1.2, 1.6)).end == 1.25

@@ -13,6 +13,8 @@ from ..core.units import Share
 from ..reading.hints import Range
 from .load import load
 
+RISE = 0.4
+"""The share of its shortest time in which a movement rises."""
 Exponent = Annotated[float, Range(0.0, 2.0)]
 SpeechRate = Annotated[float, Range(0.5, 20.0)]
 
@@ -96,13 +98,17 @@ def _first_after(time: float, limits: Sequence[float]) -> float:
 
 
 def lasting(span: MovementPhases, seconds: float, boundaries: Sequence[float]) -> MovementPhases:
-    """Return a span that lasts some seconds at least, if needed up to the next boundary within reach."""
+    """Return a span that lasts some seconds at least, if needed up to the next boundary within reach.
+
+    It rises for `RISE` of them at least.
+    """
+    apex = max(span.apex, span.start + RISE * seconds)
     if span.end - span.start >= seconds:
-        return span
+        return MovementPhases(span.start, min(apex, span.release), span.release, span.end)
     index = bisect_left(boundaries, end := span.start + seconds)
     later = boundaries[index] if index < len(boundaries) else math.inf
     end = later if later - end <= synchrony().reach else end
-    return MovementPhases(span.start, span.apex, max(span.apex, end - (span.end - span.release)), end)
+    return MovementPhases(span.start, apex, max(apex, end - (span.end - span.release)), end)
 
 
 def nearest(time: float, boundaries: Sequence[float], reach: float | None = None) -> float:
