@@ -14,7 +14,7 @@ from ..reading.frozen import FrozenDict
 from ..reading.source_text import SourceText
 from ..reading.toml import parse, read_tables, read_text
 from .emotions import emotions_in_force
-from .expressions import FELT, expressed
+from .expressions import FELT, expressed, overwhelming
 from .habits import HABITS, Habit, HabitChanges, deleted_by, with_habits
 from .load import DATA
 from .modulation import is_under
@@ -91,9 +91,15 @@ def rule_set_of(path: Path | None) -> RuleSet:
 
 
 @contextmanager
-def emotions_of(path: Path | None, expression: str = FELT) -> Iterator[None]:
-    """Let the emotions be as a user's file changes them, felt or posed; raises as `rule_set_of`."""
-    with emotions_in_force(expressed(rule_set_of(path).tables.emotions(), expression)):
+def emotions_of(path: Path | None, expression: str = FELT, overwhelmed: bool = False) -> Iterator[None]:
+    """Let the emotions be as a user's file changes them, felt or posed; raises as `rule_set_of`.
+
+    `overwhelmed`: at full intensity they outdo speech.
+    """
+    changed = rule_set_of(path).tables.emotions()
+    if overwhelmed:
+        changed = overwhelming(changed)
+    with emotions_in_force(expressed(changed, expression)):
         yield
 
 

@@ -241,6 +241,10 @@ class Settings(metaclass=Named):
         "Whether emotions are {names}. Posed ones are faster and less smooth, and do not affect "
         "other channels.",
         names=choices.EXPRESSIONS, registry="rules.expressions:expressions")
+    overwhelmed: bool = _manner(
+        "Too moved to speak", False,
+        "Let emotions of full intensity win over speech: too happy to speak (paper A, section 1).",
+        flag="--overwhelmed")
     blinks: str | None = _manner(
         "Blinks", None, "How blinks are timed: {names}.",
         names=choices.BLINK_MODELS, what="model of blinks", unset="the profile's own")
