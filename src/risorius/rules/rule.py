@@ -7,7 +7,7 @@ action unit, and a probability above 1 are errors with their place.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, fields
 from enum import StrEnum
 from typing import Annotated
@@ -88,7 +88,8 @@ class When:
 
     `accent`, `boundary`: ToBI labels, or "any". `pause`: the pause's kind, or that of the one after the unit.
     `rate`: lowest and highest, syllables a second; `lasting`: likewise, seconds. `emotion`: the strongest one
-    felt, by name, at `intensity` at least; "none" if nothing is felt.
+    felt, by name, at `intensity` at least; "none" if nothing is felt. `profile`, `attitude`: names of
+    speakers' profiles, and of attitudes one of which the speaker has.
     """
 
     accent: tuple[str, ...] = ()
@@ -105,6 +106,8 @@ class When:
     emotion: tuple[str, ...] = ()
     intensity: Share = 0.0
     turn: tuple[TurnState, ...] = ()
+    profile: tuple[str, ...] = ()
+    attitude: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         self._check_names()
@@ -124,6 +127,12 @@ class When:
                 lip_table().shape(phone)
         for name in {*self.emotion} - {NOTHING_FELT}:
             emotion(name)
+
+    def suits(self, profile: str, attitudes: Collection[str]) -> bool:
+        """Return whether a speaker with a profile and attitudes, by name, is one whom the rule is for."""
+        return (not self.profile or profile in self.profile) and (
+            not self.attitude or not set(self.attitude).isdisjoint(attitudes)
+        )
 
     def asked(self) -> tuple[str, ...]:
         """Return the names of the conditions that ask for something."""
@@ -194,7 +203,7 @@ class Timing:
 _ID = re.compile(r"(?<![a-z_])[a-z_]++(?:\.[\w-]++){2,}")
 RULED_CHANNELS = tuple(name for name in CHANNELS if CHANNELS.get(name).rules)
 # Conditions that units of a level can meet; all others would keep a rule from ever firing.
-_ALWAYS = frozenset({"rate", "lasting", "emotion", "intensity", "turn"})
+_ALWAYS = frozenset({"rate", "lasting", "emotion", "intensity", "turn", "profile", "attitude"})
 _SPOKEN = frozenset({"accent", "nuclear", "boundary", "pause", "question", "stress", "position", "words"})
 CONDITIONS: Mapping[Level, frozenset[str]] = {
     Level.PHONEME: _ALWAYS | {"phones", "stress", "position", "words", "question", "pause"},
