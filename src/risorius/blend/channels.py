@@ -91,7 +91,7 @@ def compile_channels(
         priorities = layer_priorities(layers, levels, compiled.order)
         parts: list[Channel] = []
         for on_top in (False, True):
-            together: list[Layer] = [
+            together: list[ParameterCurves] = [
                 layer.curves for key, layer in layers.items() if key[0] is on_top and key not in priorities
             ]
             harmless = frozenset[str]()
@@ -109,11 +109,11 @@ def compile_channels(
     return tuple(channels)
 
 
-Layer = Mapping[str, Curve]
+ParameterCurves = Mapping[str, Curve]
 """One layer's curve of each parameter."""
 
 
-def _under(replaced: Mapping[str, Spans], layer: Layer) -> Layer:
+def _under(replaced: Mapping[str, Spans], layer: ParameterCurves) -> ParameterCurves:
     """Return a layer's curves, at rest while curves drawn by hand replace them."""
     return {n: ManualOverride(c, replaced[n]) if n in replaced else c for n, c in layer.items()}
 

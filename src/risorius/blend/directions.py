@@ -13,7 +13,7 @@ RANGE: dict[Kind, float] = {Kind.HEAD: 20.0, Kind.GAZE: 25.0, Kind.DISTANCE: 0.8
 """The range of each kind, in degrees or metres, over which one movement makes others much smaller."""
 
 
-Turn = Mapping[str, Array]
+AxisTurns = Mapping[str, Array]
 """A term: deviations about the axes that one layer turns, by parameter, shape (n,) each."""
 
 
@@ -27,7 +27,7 @@ def combine_directions(name: str, shares: Sequence[Array]) -> Array:
     return np.asarray(np.clip(total, parameter.low, parameter.high))
 
 
-def shares_of(kind: Kind, terms: Sequence[Turn], exact: Collection[int] = ()) -> list[Turn]:
+def shares_of(kind: Kind, terms: Sequence[AxisTurns], exact: Collection[int] = ()) -> list[AxisTurns]:
     """Return each deviation from the neutral, reduced by the other terms; values of shape (n,).
 
     x_c / (1 + ½ Σ_{d≠c} |x_d| / R): |x_d| is the length of a term over all its axes. A single term is exact;
@@ -37,7 +37,7 @@ def shares_of(kind: Kind, terms: Sequence[Turn], exact: Collection[int] = ()) ->
     span = RANGE[kind]
     sizes = [np.sqrt(sum(x * x for x in term.values())) for term in terms]
     whole = np.sum(sizes, axis=0) if sizes else 0.0
-    shares: list[Turn] = []
+    shares: list[AxisTurns] = []
     for index, (term, size) in enumerate(zip(terms, sizes, strict=True)):
         if index in exact:
             shares.append({axis: _alone(axis, x, terms, span) for axis, x in term.items()})
@@ -47,7 +47,7 @@ def shares_of(kind: Kind, terms: Sequence[Turn], exact: Collection[int] = ()) ->
     return shares
 
 
-def _alone(axis: str, value: Array, terms: Sequence[Turn], span: float) -> Array:
+def _alone(axis: str, value: Array, terms: Sequence[AxisTurns], span: float) -> Array:
     """Return a deviation about one axis, reduced by the other terms about that axis alone."""
     size = np.sum([np.abs(term[axis]) for term in terms if axis in term], axis=0)
     return np.asarray(value / (1.0 + 0.5 * (size - np.abs(value)) / span))
