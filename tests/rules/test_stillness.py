@@ -55,6 +55,23 @@ def test_rises_and_falls_meet_no_pause(pause: StillTime, expected: MovementPhase
     )
 
 
+def test_a_fall_that_is_over_before_a_pause_does_not_begin_before_another() -> None:
+    found = between_pauses(MovementPhases(1.0, 1.3, 1.8, 2.6), (comma(1.4, 1.6), stop(2.2)))
+    assert (found.release, found.end) == pytest.approx((1.6, 2.2))
+
+
+@given(st.lists(st.floats(1.0, 4.0), min_size=2, max_size=8, unique=True), st.booleans())
+def test_what_has_time_moves_in_no_pause(times: list[float], ends: bool) -> None:
+    pauses = [comma(a, b) for a, b in list(pairwise(sorted(times)))[::2]]
+    known = [*pauses, stop(4.5)] if ends else pauses
+    span = begun_in_speech(MovementPhases(0.9, 0.95, 1.0, 1.1), 0.0, known)
+    found = between_pauses(span, known)
+    for start, end in ((found.start, found.apex), (found.release, found.end)):
+        met = [p for p in known if p.start < end - 1e-6 and start < p.end - 1e-6]
+        hurried = end - start <= 0.4 * 0.1 + 1e-6
+        assert not met or hurried
+
+
 def test_what_must_end_in_time_falls_before_or_after_a_pause() -> None:
     assert between_pauses(SWING, (comma(1.6, 1.7),), latest=2.0) == MovementPhases(1.0, 1.3, 1.7, 2.0)
     assert between_pauses(SWING, (comma(1.7, 1.95),), latest=2.0).end == pytest.approx(1.7)

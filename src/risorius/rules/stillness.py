@@ -12,6 +12,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from ..core.speech.utterance import SENTENCE_ENDS, Utterance
+from ..core.time import TICK
 from .synchrony import MovementPhases, synchrony
 
 # A fall that has this share of its time before a pause is over when it begins, else it waits for its end.
@@ -64,6 +65,8 @@ def between_pauses(
     span = _risen(span, pauses, least)
     offset, free = span.end - span.release, span.apex
     while (pause := _met(pauses, span.release, span.end)) is not None:
+        before = bisect_left(pauses, pause.start, key=lambda p: p.start) - 1
+        free = max(free, pauses[before].end) if before >= 0 else free
         room = min(offset, pause.start - free)
         if pause.ends:
             return _fallen_by(span, pause.start, max(room, least * offset), free)
@@ -78,8 +81,8 @@ def between_pauses(
 
 def _met(pauses: Sequence[StillTime], start: float, end: float) -> StillTime | None:
     """Return the first pause that lies at least in part within [start, end) seconds."""
-    index = bisect_right(pauses, start, key=lambda p: p.end)
-    return pauses[index] if index < len(pauses) and pauses[index].start < end else None
+    index = bisect_right(pauses, start + TICK, key=lambda p: p.end)
+    return pauses[index] if index < len(pauses) and pauses[index].start < end - TICK else None
 
 
 def _risen(span: MovementPhases, pauses: Sequence[StillTime], least: float) -> MovementPhases:
