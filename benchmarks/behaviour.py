@@ -18,6 +18,7 @@ from behaviour_measures import (
     NEAR,
     STILL,
     Clip,
+    accent_peaks,
     accent_speeds,
     accented,
     aligned,
@@ -25,6 +26,7 @@ from behaviour_measures import (
     brow_raises,
     head_power,
     head_speed,
+    inner_pause_speeds,
     main_sequence,
     nods,
     saccades,
@@ -111,6 +113,7 @@ def measured(found: list[Clip]) -> dict[str, float]:
         "head_speed_elsewhere": float(speeds[1]),
         "head_speed_ratio": float(speeds[0] / speeds[1]),
         "head_speed_pauses": float(paused.mean()),
+        **_inner_pauses(found),
         **{
             f"head_{axis}_deviation": float(np.mean([c.curves[f"head_{axis}"].std() for c in found]))
             for axis in ("pitch", "yaw", "roll")
@@ -126,6 +129,19 @@ def measured(found: list[Clip]) -> dict[str, float]:
         ),
         "brow_lead": float(np.median(leads[np.abs(leads) < NEAR])),
         "brows_near_accents": float(np.mean(np.abs(leads) <= NEAR)),
+    }
+
+
+def _inner_pauses(found: list[Clip]) -> dict[str, float]:
+    """Return how fast the head is in pauses between words, and as shares of its speed in speech."""
+    pauses = [inner_pause_speeds(clip) for clip in found]
+    speech = [head_speed(clip)[clip.speaking].mean() for clip in found]
+    shares = np.concatenate([p[:, 0] / s for p, s in zip(pauses, speech, strict=True)])
+    peaks = np.concatenate([p[:, 1] / accent_peaks(c).mean() for p, c in zip(pauses, found, strict=True)])
+    return {
+        "head_speed_inner_pauses": float(np.concatenate(pauses)[:, 0].mean()),
+        "head_pause_share": float(shares.mean()),
+        "head_slow_pauses": float(np.mean((shares < 0.5) & (peaks < 1.0))),
     }
 
 

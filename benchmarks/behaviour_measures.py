@@ -122,6 +122,24 @@ def head_speed(clip: Clip) -> Array:
     return FPS * np.sqrt(sum(np.gradient(c[n]) ** 2 for n in ("head_pitch", "head_yaw", "head_roll")))
 
 
+def inner_pause_speeds(clip: Clip) -> Array:
+    """Return the head's mean and highest speed in each pause between words, commas included, shape (n, 2)."""
+    speed, last = head_speed(clip), clip.said.words[-1].end
+    rows = []
+    for pause in clip.said.pauses:
+        inside = speed[round(pause.start * FPS) : round(pause.end * FPS)]
+        if pause.kind is not PauseKind.INITIAL and pause.start < last and len(inside):
+            rows.append((inside.mean(), inside.max()))
+    return np.array(rows).reshape(-1, 2)
+
+
+def accent_peaks(clip: Clip) -> Array:
+    """Return the head's highest speed within 0.15 s of each accent, in speech."""
+    speed = np.where(clip.speaking, head_speed(clip), 0.0)
+    reach = round(0.15 * FPS)
+    return np.array([speed[max(round(t * FPS) - reach, 0) :][: 2 * reach].max() for t in accented(clip.said)])
+
+
 def head_power(clip: Clip, low: float, high: float) -> float:
     """Return the share of the head's movement, as power of its velocity, within a band of Hz."""
     total = part = 0.0

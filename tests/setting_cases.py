@@ -20,6 +20,7 @@ CASES: dict[str, object] = {
     "profile": "lively",
     "attitudes": ("ironic",),
     "expression": "posed",
+    "overwhelmed": True,
     "blinks": "none",
     "lively": False,
     "manner": "whisper",

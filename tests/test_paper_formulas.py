@@ -111,17 +111,18 @@ def test_movements_of_a_channel_concatenate_by_paper_a_s_formulas() -> None:
     assert value(curve, 3.2) == pytest.approx(0.5)
 
 
-def test_random_blinks_of_itti_wait_since_the_last_saccade_or_blink(sentence_of: Maker) -> None:
-    said = sentence_of("One two.", tail=60.0)
+def test_random_blinks_of_itti_wait_since_the_last_shift_of_attention_or_blink() -> None:
     speaker = profile_of("neutral", "itti")
-    speaker = replace(speaker, gaze=replace(speaker.gaze, scan=2.5))
-    curves = performed(compose(ChannelInputs(said.duration, said, profile=speaker)).movements, said.duration)
+    curves = performed(compose(ChannelInputs(90.0, profile=speaker), seed=1).movements, 90.0)
     world = [curves[f"gaze_{a}"] + curves[f"head_{a}"] for a in ("pitch", "yaw")]
     quick = FPS * np.hypot(*np.diff(world)) > 40.0
-    saccades = (np.flatnonzero(quick[:-1] & ~quick[1:]) + 1) * FRAME
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], quick, [False])).astype(int))).reshape(-1, 2)
+    far = [b for a, b in edges if np.hypot(*(axis[b] - axis[a] for axis in world)) > 5.5]
+    saccades = np.array(far) * FRAME  # those that scan the listener's face are smaller
     spans = closures(curves[LID], 1e-3)
-    assert len(spans) > 5
-    assert len(saccades) > 5
+    assert len(spans) > 10
+    assert len(edges) > len(far) + 20
+    assert len(far) > 5
     for (_, last), (start, end) in pairwise(spans):
         before = max([last, *saccades[saccades <= start]])
         assert start - before >= speaker.blinks.wait - 0.06

@@ -71,7 +71,9 @@ def perform_input(given: Input, emotions: Displays, settings: Settings, progress
 
     Raises RisoriusError; UnusedSettingError for settings of a voice where nothing is to be synthesized.
     """
-    with emotions_of(settings.rules, settings.expression):  # a fault in it is told before anything is spoken
+    with emotions_of(
+        settings.rules, settings.expression, settings.overwhelmed
+    ):  # a fault in it is told before anything is spoken
         source = read(given)
     reject_unused(source, settings)
     return perform(source, emotions, settings, progress)
@@ -243,7 +245,7 @@ def displays_of(emotion: Emotions, settings: Settings) -> Displays:
         emotion = [emotion]
     elif not isinstance(emotion, Iterable):
         raise InputError(_no_emotion(emotion))
-    with emotions_of(settings.rules, settings.expression):
+    with emotions_of(settings.rules, settings.expression, settings.overwhelmed):
         return tuple(map(_display, emotion))
 
 

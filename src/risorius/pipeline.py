@@ -33,7 +33,7 @@ def perform(
 
     What was spoken `before` is not spoken again; what is spoken is added to it.
     """
-    with emotions_of(settings.rules, settings.expression):
+    with emotions_of(settings.rules, settings.expression, settings.overwhelmed):
         settings = with_profile(settings)
         if isinstance(source, Script):
             script, utterance = source, speak(source, emotions, settings, progress, before)
@@ -56,7 +56,7 @@ def speak(
 
 def compose(script: Script, utterance: Utterance | None, emotions: Displays, settings: Settings) -> Score:
     """Derive the movements of all channels from the utterance, if any, and the marks."""
-    with emotions_of(settings.rules, settings.expression):
+    with emotions_of(settings.rules, settings.expression, settings.overwhelmed):
         inputs = replace(
             channels.inputs_of(script, utterance, emotions),
             articulation=settings.articulation,

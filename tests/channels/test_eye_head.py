@@ -24,7 +24,7 @@ def performed(*shifts: tuple[float, tuple[float, float]], duration: float = 6.0)
     """Return the curves of shifts of gaze at 1000 frames a second."""
     cause = Cause("test")
     found = tuple(
-        shifts_of([GazeShift(t, d, cause) for t, d in shifts], duration, UNBLINKING, (), CounterRng(0))
+        shifts_of([GazeShift(t, d, cause) for t, d in shifts], duration, UNBLINKING, (), (), CounterRng(0))
     )
     assert all(isinstance(m, Movement) for m in found)
     return combine(Score(duration, found), Fraction(1000)).curves
@@ -90,7 +90,7 @@ def test_any_shifts_make_a_score_without_jumps(shifts: list[tuple[float, tuple[f
 def test_saccades_follow_the_main_sequence_on_the_curves(degrees: float) -> None:
     """Peak speed 473(1 - e^(-A/7.8)) degrees a second, 25 ms + 2.4 ms a degree: science/03."""
     cause = Cause("test")
-    shifts = tuple(shifts_of([GazeShift(0.5, (0.0, degrees), cause)], 1.5, UNBLINKING, (), CounterRng(0)))
+    shifts = tuple(shifts_of([GazeShift(0.5, (0.0, degrees), cause)], 1.5, UNBLINKING, (), (), CounterRng(0)))
     times = np.arange(0.4, 0.8, 1e-4)
     columns = at(Score(1.5, shifts), times)
     world = columns[:, INDEX["gaze_yaw"]] + columns[:, INDEX["head_yaw"]]
@@ -104,7 +104,7 @@ def test_saccades_follow_the_main_sequence_on_the_curves(degrees: float) -> None
 def test_saccades_are_at_least_50_ms_apart() -> None:
     close = [(0.5 + 0.01 * k, (0.0, 8.0 * (k % 2))) for k in range(60)]
     cause = Cause("test")
-    found = shifts_of([GazeShift(t, d, cause) for t, d in close], 2.0, UNBLINKING, (), CounterRng(0))
+    found = shifts_of([GazeShift(t, d, cause) for t, d in close], 2.0, UNBLINKING, (), (), CounterRng(0))
     eyes = sorted((m.start, m.start + m.onset) for m in found if m.function == "saccade")
     assert len(eyes) > 5
     assert min(b[0] - a[1] for a, b in pairwise(eyes)) >= 0.05 - 1e-9
@@ -113,7 +113,7 @@ def test_saccades_are_at_least_50_ms_apart() -> None:
 def test_large_shifts_blink_and_small_ones_hardly_ever() -> None:
     def share(degrees: float) -> float:
         shifts = [GazeShift(2.0 * k, (0.0, degrees * (k % 2)), Cause("test")) for k in range(200)]
-        found = shifts_of(shifts, 400.0, profile("neutral").blinks, (), CounterRng(1))
+        found = shifts_of(shifts, 400.0, profile("neutral").blinks, (), (), CounterRng(1))
         return sum(m.layer == "lids" for m in found) / 199
 
     assert share(34.0) == pytest.approx(0.97, abs=0.04)

@@ -1,7 +1,6 @@
 """Blinks that nothing asks for: by measured intervals, and as the papers' sources print them."""
 
 from collections.abc import Callable
-from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -15,7 +14,7 @@ from risorius.core.counter_rng import CounterRng
 from risorius.core.movement import Cause, Movement
 from risorius.core.speech.utterance import Utterance
 from risorius.errors import ParameterError
-from risorius.rules.profiles import profile, profile_of
+from risorius.rules.profiles import profile, profile_of, profiles
 from risorius.rules.synchrony import synchrony
 
 Maker = Callable[..., Utterance]
@@ -57,18 +56,49 @@ def test_itti_s_waits_follow_the_printed_hazards() -> None:
     assert waits.mean() == pytest.approx(1.8 + (1 - np.exp(-1.8)) + 0.1 * np.exp(-1.8), abs=0.02)
 
 
-def test_itti_waits_from_the_last_saccade_or_blink(sentence_of: Maker) -> None:
+def test_itti_waits_from_the_last_shift_of_attention_or_blink(sentence_of: Maker) -> None:
     said = sentence_of(LONG, tail=60.0)
-    speaker = profile_of("neutral", "itti")
-    speaker = replace(speaker, gaze=replace(speaker.gaze, scan=2.5))
-    found = compose(ChannelInputs(said.duration, said, profile=speaker)).movements
-    saccades = [m.start + m.onset for m in found if m.channel == "gaze" and m.function == "saccade"]
-    ends = np.array(sorted([*saccades, *(m.end for m in blinks(found))]))
+    found = compose(ChannelInputs(said.duration, said, profile=profile_of("neutral", "itti"))).movements
+    eyes = [m for m in found if m.channel == "gaze" and m.layer == "look"]
+    ways = [
+        np.hypot(*(b.targets[n] - a.targets[n] for n in ("gaze_pitch", "gaze_yaw")))
+        for a, b in pairwise(eyes)
+    ]
+    shifts = [(m, way) for m, way in zip(eyes[1:], ways, strict=True) if m.function == "saccade"]
+    assert sum(way < 5.0 for _, way in shifts) > 20  # scanning does not count
+    ends = np.array(
+        sorted([*(m.start + m.onset for m, way in shifts if way > 5.0), *(m.end for m in blinks(found))])
+    )
     added = blinks(found, "manipulators.lids.itti")
     assert len(added) > 5
-    for blink in added:
+    for blink in added[1:]:  # the eyes have blinked before the clip
         assert blink.start - ends[ends < blink.start + 1e-9].max() >= HABITS.wait - 1e-9
         assert blink.end - blink.start == pytest.approx(0.19)
+
+
+@pytest.mark.parametrize("name", list(profiles()))
+def test_itti_s_blinks_come_10_to_20_times_a_minute_in_silence(name: str) -> None:
+    speaker = profile_of(name, "itti")
+    counts = [
+        len(blinks(compose(ChannelInputs(60.0, profile=speaker), seed=s).movements, "manipulators.lids.itti"))
+        for s in range(6)
+    ]
+    assert all(8 <= count <= 22 for count in counts)
+    assert 10.0 <= np.mean(counts) <= 20.0
+
+
+def test_itti_s_blinks_come_between_those_of_rules_while_something_is_said(sentence_of: Maker) -> None:
+    said = sentence_of(LONG)
+    speaker = profile_of("neutral", "itti")
+    counts = [
+        len(blinks(compose(ChannelInputs(said.duration, said, profile=speaker), seed=s).movements))
+        for s in range(6)
+    ]
+    assert 10.0 <= np.mean(counts) / (said.duration / 60.0) <= 26.0
+    added = blinks(
+        compose(ChannelInputs(said.duration, said, profile=speaker)).movements, "manipulators.lids.itti"
+    )
+    assert added
 
 
 def test_pelachaud_s_blinks_are_periodic_on_phonemes_with_eyes_closed_for_a_while(sentence_of: Maker) -> None:

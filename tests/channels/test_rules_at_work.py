@@ -9,6 +9,7 @@ import pytest
 from risorius.blend import combine
 from risorius.channels import ChannelInputs, Display, built_channels, compose
 from risorius.core.choices import BLINK_MODELS
+from risorius.core.movement import Movement
 from risorius.core.score import Score
 from risorius.core.speech.utterance import Accent, PauseKind
 from risorius.rules.profiles import attitude, profile, profile_of, profiles
@@ -176,6 +177,51 @@ def test_an_emblem_is_shown_at_the_word_that_refers_to_it(sentence_of: Maker) ->
     assert said.words[3].start < emblem.end
     assert emblem.end - emblem.start < 1.5
     assert all(n.startswith(("frontalis", "triangularis", "mentalis")) for n in emblem.parameters)
+
+
+@pytest.mark.parametrize("word", ["sad", "sorry", "lonely"])
+def test_an_emblem_of_what_is_displayed_already_is_not_shown(word: str, sentence_of: Maker) -> None:
+    said = sentence_of(f"She was very {word}[H*] then.")
+
+    def emblems(*displays: Display) -> list[Movement]:
+        found = movements(said, "emotion.emblem", emotions=displays)
+        return by_rule(found, "emotion.emblem.sadness")
+
+    assert len(emblems()) == len(emblems(Display("fear", 1.0))) == 1
+    assert emblems(Display("sadness", 0.4)) == []
+    assert len(emblems(Display("sadness", 0.4, said.duration - 0.1, None))) == 1
+
+
+@pytest.mark.parametrize(
+    ("felt", "rule"),
+    [
+        ((), "punctuators.brows.comma"),
+        ((Display("anger", 0.8),), "punctuators.brows.angry"),
+        ((Display("disgust", 0.8),), "punctuators.nose.disgusted"),
+        ((Display("happiness", 0.8),), "punctuators.mouth.happy"),
+    ],
+)
+@pytest.mark.parametrize("pause", [0.06, 0.15, 0.4])
+def test_punctuators_begin_with_their_pause_and_last_long_enough_to_be_seen(
+    felt: tuple[Display, ...], rule: str, pause: float, sentence_of: Maker
+) -> None:
+    said = sentence_of("One two, three four.", pause=pause, phone=0.08)
+    comma = next(p for p in said.pauses if p.kind is PauseKind.COMMA)
+    found = by_rule(movements(said, "punctuators.", emotions=felt), rule)
+    mark = next(m for m in found if m.start < comma.end)
+    assert mark.start == pytest.approx(comma.start)
+    assert mark.end == pytest.approx(comma.end) or pause < 0.25 <= mark.end - mark.start + 1e-6
+    assert mark.onset >= 0.1 - 1e-6
+
+
+@pytest.mark.parametrize(("text", "kind", "rule", "moved"), PUNCTUATED)
+def test_no_punctuator_begins_before_its_pause(
+    text: str, kind: PauseKind, rule: str, moved: str, sentence_of: Maker
+) -> None:
+    said = sentence_of(text, pause=0.4)
+    pause = next(p for p in said.pauses if p.kind is kind)
+    found = by_rule(movements(said, "punctuators.brows"), rule)[0]
+    assert (found.start, found.end) == pytest.approx((pause.start, pause.end))
 
 
 @pytest.mark.parametrize(("felt", "more"), [("sadness", False), ("fear", True)])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 
@@ -11,6 +12,7 @@ from click.shell_completion import ShellComplete
 
 from risorius.cli import commands, run
 from risorius.cli.options import flag, settings_from
+from risorius.core.score import BlendSettings
 from risorius.settings import Settings
 from risorius.settings.declare import Group, rows
 
@@ -86,3 +88,44 @@ def test_settings_are_named_by_their_options() -> None:
     assert [flag(name) for name in ("dynamics", "lively", "contact", "emotion", "min_onset")] == [
         "--skin", "--still", "--without-contact", "--emotion", "--min-onset",
     ]  # fmt: skip
+
+
+def shown_default(text: str, option: str) -> str:
+    """Return the default that help names for an option."""
+    found = re.search(rf"  {option} .*?\[default: ([^\]]*)\]", " ".join(text.split()).replace(" --", "  --"))
+    assert found is not None, option
+    return found[1]
+
+
+def test_mix_combines_a_score_that_says_nothing_by_the_defaults_that_its_help_names(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["mix", "--help"]) == 0
+    text = capsys.readouterr().out
+    named = {o: shown_default(text, o) for o in ("--conflict", "--lips", "--onset-function")}
+    assert all(default.startswith("the score's, or ") for default in named.values())
+    movement = {"channel": "emotion", "start": 0.2, "end": 1.8, "onset": 0.5, "offset": 0.4}
+    score = {
+        "risorius": 1,
+        "duration": 2.0,
+        "movements": [
+            {**movement, "targets": {"zygomatic_major": 0.8}},
+            {**movement, "channel": "signals", "start": 0.9, "targets": {"triangularis": 0.2}},
+        ],
+    }
+    file = tmp_path / "bare.score.json"
+    file.write_text(json.dumps(score))
+
+    def mixed(*options: str) -> str:
+        assert run(["mix", str(file), *options]) == 0
+        return capsys.readouterr().out
+
+    bare = mixed()
+    conflict = named["--conflict"].removeprefix("the score's, or ")
+    assert mixed("--conflict", conflict) == bare
+    assert all(mixed("--conflict", other) != bare for other in {"inhibit", "graded", "sum"} - {conflict})
+    function = re.search(r"(\w+) if it names none", named["--onset-function"])
+    assert function is not None
+    assert mixed("--onset-function", function[1]) == bare
+    assert mixed("--onset-function", "linear") != bare
+    assert named["--lips"].endswith(BlendSettings().lips)

@@ -4,6 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from risorius.core.action_units import resolve_targets
+from risorius.core.parameters import INDEX, PARAMETERS, RIVALS
 from risorius.errors import InputError
 from risorius.reading.toml import parse
 from risorius.rules.emotions import emotions
@@ -74,7 +76,9 @@ def test_blends_have_no_jumps(pair: tuple[str, str], own: float, other: float, s
     name, rival = pair
     before = blended({name: own, rival: other})
     after = blended({name: min(own + step, 1.0), rival: max(other - step, 0.0)})
-    assert all(abs(after[p] - before[p]) <= 12.0 * step * max(1.0, abs(before[p])) + 1e-9 for p in before)
+    # Where another of two rivals becomes the stronger one they change places.
+    for p in before.keys() & after.keys():
+        assert abs(after[p] - before[p]) <= 12.0 * step * PARAMETERS[INDEX[p]].high + 1e-9
 
 
 @given(st.sampled_from(list(emotions())), INTENSITY)
@@ -90,7 +94,34 @@ def test_happiness_and_sadness_share_the_face() -> None:
     sad, happy = emotions()["sadness"].targets(0.8), emotions()["happiness"].targets(0.8)
     assert both["frontalis_medialis.left"] == pytest.approx(sad["frontalis_medialis.left"])
     assert both["zygomatic_major.left"] == pytest.approx(happy["zygomatic_major.left"])
-    assert both["triangularis.left"] < 0.5 * sad["triangularis.left"]
+    assert both["orbicularis_oculi_orbitalis.left"] < 0.5 * happy["orbicularis_oculi_orbitalis.left"]
+
+
+@pytest.mark.parametrize("shares", [(0.7, 0.7), (0.4, 0.9), (1.0, 0.35)])
+@pytest.mark.parametrize("pair", [("happiness", "sadness"), ("disgust", "surprise"), ("fear", "pride")])
+def test_of_rivals_of_two_emotions_the_weaker_stays_at_rest(
+    pair: tuple[str, str], shares: tuple[float, float]
+) -> None:
+    company = dict(zip(pair, shares, strict=True))
+    both = blended(company)
+    own = [resolve_targets(blend_units(name, company)) for name in pair]
+    rivals = [(one, other) for one in both for other in RIVALS[one] if both.get(other)]
+    assert all(any(t.get(one) and t.get(other) for t in own) for one, other in rivals)
+    for parameter, value in both.items():
+        assert abs(value) == max(abs(t.get(parameter, 0.0)) for t in own)
+
+
+def test_a_smile_and_grief_in_one_tag_do_not_pull_the_corners_both_ways() -> None:
+    both = blended({"happiness": 0.7, "sadness": 0.7})
+    assert both["zygomatic_major.left"] == pytest.approx(0.7)
+    assert not {"triangularis.left", "triangularis.right", "mentalis.left"} & both.keys()
+
+
+def test_what_one_emotion_contracts_together_it_keeps_in_company() -> None:
+    table = emotions()["disgust"].targets(1.0)
+    kept = [(a, b) for a in table for b in RIVALS[a] if table[a] and table.get(b)]
+    both = blended({"disgust": 1.0, "boredom": 0.05})
+    assert all(both[a] and both[b] for a, b in kept)
 
 
 def test_a_pair_is_found_both_ways_round() -> None:

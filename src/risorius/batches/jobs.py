@@ -156,7 +156,7 @@ def _check_job(job: BatchJob) -> None:
     for name in settings.attitudes:
         attitude(name)
     if not any(map(is_remote, filter(None, (job.given.script, job.given.transcript)))):
-        with emotions_of(settings.rules, settings.expression):
+        with emotions_of(settings.rules, settings.expression, settings.overwhelmed):
             source = read(job.given)
         reject_unused(source, settings)
         if isinstance(source, Script) and not source.lines and not source.marks:

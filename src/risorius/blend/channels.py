@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
@@ -16,14 +15,14 @@ from .curve import Curve
 from .intervals import Spans, union
 from .layer_priority import layer_priorities
 from .layers import CompiledLayers
-from .manual import ManualOverride, key_curves, replaced_spans
+from .manual import ManualOverride, drawn_layers, replaced_spans
 from .mouth.lips import CompiledLips, LipCurve
 from .priority_curve import PriorityClaim, PriorityCurve, priority_curve
 
 
 @dataclass(slots=True)
 class Channel:
-    """A channel: its priority, and all curves by parameter, one for each layer that moves it.
+    """A channel: its priority, and its curves by parameter in each layer.
 
     `on_top`: these curves are of movements that add to what the others leave. `stratum`: they are of one
     layer, which conflicts with another. The rest of the channel is another Channel of the same name.
@@ -32,11 +31,17 @@ class Channel:
 
     name: str
     levels: PriorityCurve
-    curves: dict[str, list[Curve]]
+    layers: Sequence[Mapping[str, Curve]]
     on_top: bool = False
     stratum: str | None = None
     harmless: frozenset[str] = frozenset()
+    curves: dict[str, list[Curve]] = field(init=False)
+    """All curves by parameter, one for each layer that moves it."""
     _above: dict[tuple[str, float], Spans] = field(default_factory=dict, init=False)
+
+    def __post_init__(self) -> None:
+        names = sorted({name for layer in self.layers for name in layer})
+        self.curves = {name: [layer[name] for layer in self.layers if name in layer] for name in names}
 
     @property
     def key(self) -> str:
@@ -78,8 +83,7 @@ def compile_channels(
     score: Score, lips: CompiledLips | None, compiled: CompiledLayers
 ) -> tuple[Channel, ...]:
     """Return the channels that the score uses, highest default priority first; `compiled` are its layers."""
-    drawn = {name: list[Curve](curves) for name, curves in key_curves(score.manual).items()}
-    replaced = replaced_spans(score.manual)
+    drawn, replaced = drawn_layers(score.manual), replaced_spans(score.manual)
     channels = []
     for name in CHANNELS:
         layers = compiled.of(name)
@@ -87,44 +91,31 @@ def compile_channels(
         priorities = layer_priorities(layers, levels, compiled.order)
         parts: list[Channel] = []
         for on_top in (False, True):
-            together = [layer for key, layer in layers.items() if key[0] is on_top and key not in priorities]
-            curves, harmless = _layered(together), frozenset[str]()
+            together: list[ParameterCurves] = [
+                layer.curves for key, layer in layers.items() if key[0] is on_top and key not in priorities
+            ]
+            harmless = frozenset[str]()
             if name == "lips" and lips is not None and not on_top:
-                harmless = lips.harmless - set(curves)
-                curves = _joined({p: [LipCurve(lips, p)] for p in lips.parameters}, curves)
-            parts.append(Channel(name, levels, curves, on_top, harmless=harmless))
-        parts += [Channel(name, own, _layered([layers[k]]), *k) for k, own in priorities.items()]
+                harmless = lips.harmless.difference(*together)
+                together = [{p: LipCurve(lips, p) for p in lips.parameters}, *together]
+            parts.append(Channel(name, levels, together, on_top, harmless=harmless))
+        parts += [Channel(name, own, [layers[k].curves], *k) for k, own in priorities.items()]
         for part in parts:
-            curves = part.curves if name == "manual" else _under(replaced, part.curves)
+            own = part.layers if name == "manual" else [_under(replaced, layer) for layer in part.layers]
             if name == "manual" and part.key == name:
-                curves = _joined(drawn, curves)
-            if curves:
-                channels.append(replace(part, curves=dict(sorted(curves.items()))))
+                own = [*drawn, *own]
+            if any(own):
+                channels.append(replace(part, layers=own))
     return tuple(channels)
 
 
-Curves = dict[str, list[Curve]]
+ParameterCurves = Mapping[str, Curve]
+"""One layer's curve of each parameter."""
 
 
-def _layered(layers: Iterable[LayerCurves]) -> Curves:
-    """Return the curves of all layers by parameter."""
-    curves: Curves = defaultdict(list)
-    for layer in layers:
-        for parameter, curve in layer.curves.items():
-            curves[parameter].append(curve)
-    return curves
-
-
-def _joined(first: Mapping[str, Sequence[Curve]], then: Curves) -> Curves:
-    return {name: [*first.get(name, ()), *then.get(name, ())] for name in {**first, **then}}
-
-
-def _under(replaced: Mapping[str, Spans], curves: Curves) -> Curves:
-    """Return the curves, at rest while curves drawn by hand replace them."""
-    return {
-        name: [ManualOverride(curve, replaced[name]) for curve in own] if name in replaced else own
-        for name, own in curves.items()
-    }
+def _under(replaced: Mapping[str, Spans], layer: ParameterCurves) -> ParameterCurves:
+    """Return a layer's curves, at rest while curves drawn by hand replace them."""
+    return {n: ManualOverride(c, replaced[n]) if n in replaced else c for n, c in layer.items()}
 
 
 def _claims(name: str, layers: Iterable[LayerCurves], lips: CompiledLips | None) -> list[PriorityClaim]:

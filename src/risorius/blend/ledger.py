@@ -3,22 +3,26 @@
 A muscle, a contact or the tongue goes through four stages. A channel's movements *request* a value; the
 policy *resolves* it against rivals in other channels; of the jaw, the channel gets a *share* beside speech;
 and the value that is *applied* lies within the limits of speech. Head and gaze have no rivals: all channels
-turn them, each less because of the others. Curves, explanations, traces and summaries read the same ledger.
+turn them, each less because of the others, whichever axis those turn. Curves, explanations, traces and
+summaries read the same ledger.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from ..core.arrays import Array, IndexArray
+from ..core.parameters import INDEX, PARAMETERS, Kind
 from .channels import Channel
 from .conflict import Resolver
 from .curve import Curve
 from .directions import shares_of
+from .manual import KeyCurve
 from .mouth.limits import LIPS, SpeechLimits
 from .mouth.speech_mouth import JAW
 
@@ -109,14 +113,29 @@ class DirectionEntry:
     applied: Array
 
 
-def direction_entries(name: str, times: Array, channels: Sequence[Channel]) -> list[DirectionEntry]:
-    """Return the entry of every curve for a direction of head or gaze at sorted times (n,)."""
-    curves = [(channel, curve) for channel in channels for curve in channel.curves.get(name, ())]
-    requested = [_everywhere(curve, times) for _, curve in curves]
-    applied = shares_of(name, requested) if requested else []
-    return [
-        DirectionEntry(*curve, *values) for curve, *values in zip(curves, requested, applied, strict=True)
+def direction_entries(
+    kind: Kind, times: Array, channels: Sequence[Channel]
+) -> dict[str, list[DirectionEntry]]:
+    """Return the entries of all curves for the directions of a kind, by parameter, at sorted times (n,)."""
+    turns = [
+        (channel, own) for channel in channels for layer in channel.layers if (own := _axes(kind, layer))
     ]
+    requested = [{name: _everywhere(curve, times) for name, curve in own.items()} for _, own in turns]
+    exact = [i for i, (_, own) in enumerate(turns) if any(_replaces(curve) for curve in own.values())]
+    applied = shares_of(kind, requested, exact)
+    entries: dict[str, list[DirectionEntry]] = defaultdict(list)
+    for (channel, own), wanted, left in zip(turns, requested, applied, strict=True):
+        for name, curve in own.items():
+            entries[name].append(DirectionEntry(channel, curve, wanted[name], left[name]))
+    return entries
+
+
+def _axes(kind: Kind, layer: Mapping[str, Curve]) -> dict[str, Curve]:
+    return {name: curve for name, curve in layer.items() if PARAMETERS[INDEX[name]].kind is kind}
+
+
+def _replaces(curve: Curve) -> bool:
+    return isinstance(curve, KeyCurve) and curve.replaces
 
 
 def _everywhere(curve: Curve, times: Array) -> Array:

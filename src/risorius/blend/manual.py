@@ -40,6 +40,11 @@ class KeyCurve:
         """Return when the curve is higher than `threshold`, shape (n, 2)."""
         return above_line(self.times, self.values, threshold)
 
+    @property
+    def replaces(self) -> bool:
+        """Whether the curve stands in place of those of all other channels."""
+        return self._drawn.replaces
+
     def origin(self, time: float) -> ManualCurve:
         """Return the drawn curve."""
         return self._drawn
@@ -53,13 +58,9 @@ class KeyCurve:
         return self._keys
 
 
-def key_curves(curves: Iterable[ManualCurve]) -> dict[str, list[KeyCurve]]:
-    """Return all drawn curves by parameter."""
-    by_parameter: dict[str, list[KeyCurve]] = {}
-    for curve in curves:
-        for name in curve.keys:
-            by_parameter.setdefault(name, []).append(KeyCurve(name, curve))
-    return by_parameter
+def drawn_layers(curves: Iterable[ManualCurve]) -> list[dict[str, KeyCurve]]:
+    """Return the curve of each parameter in each of some drawn curves."""
+    return [{name: KeyCurve(name, curve) for name in curve.keys} for curve in curves]
 
 
 class ManualOverride:

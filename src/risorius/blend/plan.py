@@ -17,7 +17,7 @@ import numpy as np
 from ..core.arrays import Array
 from ..core.channels import CHANNELS
 from ..core.lips.lip_rig import OPENING, LipRig
-from ..core.parameters import INDEX, NAMES, NEUTRAL
+from ..core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS, Kind
 from ..core.performance import Performance, frame_times
 from ..core.score import Score, check_score
 from . import mouth, policies  # noqa: F401 - models and policies register themselves
@@ -145,6 +145,7 @@ class PlanSample:
         self.plan, self.times = plan, times
         self._resolve = plan.policy.at(times)
         self._ledgers: dict[str, Ledger] = {}
+        self._turns: dict[Kind, dict[str, list[DirectionEntry]]] = {}
         self._joined: dict[str, Array] = {}
         self._values: dict[str, Array] = {}
         self._around: dict[tuple[float, bool], tuple[SmoothingWindow, PlanSample]] = {}
@@ -217,7 +218,10 @@ class PlanSample:
 
     def direction_entries(self, name: str) -> list[DirectionEntry]:
         """Return the entries of every curve for a direction."""
-        return direction_entries(name, self.times, self.plan.channels)
+        kind = PARAMETERS[INDEX[name]].kind
+        if kind not in self._turns:
+            self._turns[kind] = direction_entries(kind, self.times, self.plan.channels)
+        return self._turns[kind].get(name, [])
 
     def _direction(self, name: str) -> Array:
         return combine_directions(

@@ -117,6 +117,7 @@
  * @property {string} [profile]
  * @property {Array<string>} [attitudes]
  * @property {string} [expression]
+ * @property {boolean} [overwhelmed]
  * @property {string|null} [blinks]
  * @property {boolean} [lively]
  * @property {string} [manner]

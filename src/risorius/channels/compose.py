@@ -17,6 +17,7 @@ from ..errors import ParameterError, unknown
 from ..rules.habits import with_habits
 from ..rules.match import Event, events_of
 from ..rules.resolve import resolve
+from ..rules.speakers import rules_of_speaker
 from .inputs import ChannelInputs, Context
 from .registry import builder_of
 
@@ -45,6 +46,7 @@ def compose(
     for name in without:
         if name not in channels:
             raise ParameterError(unknown("channel", name, channels))
+    inputs = replace(inputs, rules=rules_of_speaker(inputs.rules, inputs.profile, inputs.attitudes))
     if inputs.rules.habits:
         inputs = replace(inputs, profile=with_habits(inputs.profile, inputs.rules.habits))
     events = proposed(inputs, seed)

@@ -20,6 +20,7 @@ from ..core.parameters import INDEX, PARAMETERS
 from ..rules.match import EYES
 from ..rules.profiles import BlinkHabits
 from ..rules.saccade import saccade_duration
+from ..rules.stillness import StillTime, after_pauses
 from .blinks import blink
 
 Angles = tuple[float, float]
@@ -29,8 +30,10 @@ HEAD = ("head_pitch", "head_yaw")
 # Shifts back to within this of straight ahead bring the head to rest (paper B, section 5.2), degrees.
 _AHEAD = 5.0
 _OVERLAP = 0.02
-# The dead zone as a share of 20 degrees, less half of what the eyes are already turned.
-_ZONE = 0.5
+ZONE = 10.0
+"""Degrees of a shift that the eyes make alone, unless they are already turned."""
+# It becomes nothing where they are turned so far already, degrees.
+_TURNED = 40.0
 # Seconds between two saccades at least (Lee, Badler and Badler 2002).
 _REFRACTORY = 0.05
 BLINK = "gaze.lids.shift"
@@ -48,12 +51,15 @@ class GazeShift:
     blinks: bool = True
 
 
-def head_share(shift: float, eye: float) -> float:
-    """Return how far the head goes in a shift of gaze by `shift` degrees from an eye at `eye` in the head."""
+def head_share(shift: float, eye: float, zone: float = ZONE) -> float:
+    """Return how far the head goes in a shift of gaze by `shift` degrees from an eye at `eye` in the head.
+
+    `zone`: degrees that the eyes go alone.
+    """
     ahead = eye if shift >= 0.0 else -eye
-    zone = max(0.0, _ZONE * (20.0 - 0.5 * ahead))
+    alone = max(0.0, zone * (1.0 - ahead / _TURNED))
     slope = min(1.0, 0.65 * (abs(ahead) / 35.0 + 1.1))
-    return math.copysign(max(abs(shift) - zone, 0.0) * slope, shift)
+    return math.copysign(max(abs(shift) - alone, 0.0) * slope, shift)
 
 
 def head_duration(degrees: float) -> float:
@@ -109,7 +115,8 @@ class _Chain:
 class _Pose:
     """The directions of eyes and head, and all movements that brought them there."""
 
-    def __init__(self) -> None:
+    def __init__(self, pauses: Sequence[StillTime], zone: float) -> None:
+        self._pauses, self._zone = pauses, zone
         self.eye: Angles = (0.0, 0.0)
         self.head: Angles = (0.0, 0.0)
         self.ready = 0.0
@@ -127,9 +134,10 @@ class _Pose:
         self.ready = start + landing + _REFRACTORY
         if moved := math.dist(head, self.head):
             onset = head_duration(moved)
-            self.eyes.add(start + landing, onset, self.eye, "minimum_jerk", cause)
-            self.heads.add(start + landing, onset, head, "minimum_jerk", cause)
-            self.ready = start + landing + max(onset, _REFRACTORY)
+            follows = after_pauses(start + landing, onset, self._pauses)
+            self.eyes.add(follows, onset, self.eye, "minimum_jerk", cause)
+            self.heads.add(follows, onset, head, "minimum_jerk", cause)
+            self.ready = follows + max(onset, _REFRACTORY)
         self.head = head
         return size
 
@@ -137,7 +145,7 @@ class _Pose:
         if math.hypot(*direction) < _AHEAD:
             return (0.0, 0.0)
         pitch, yaw = (
-            head + head_share(to - at, eye)
+            head + head_share(to - at, eye, self._zone)
             for head, to, at, eye in zip(self.head, direction, gaze, self.eye, strict=True)
         )
         return pitch, yaw
@@ -156,14 +164,17 @@ def shifts_of(
     duration: float,
     habits: BlinkHabits,
     boundaries: Sequence[float],
+    pauses: Sequence[StillTime],
     numbers: CounterRng,
+    zone: float = ZONE,
 ) -> Iterator[Movement]:
     """Yield the movements of eyes, head and lids for shifts of gaze in order of time.
 
     A shift that comes while the last one is under way waits for it, and is left out if the next one comes
-    first. `habits` say how probable a blink is with a shift by 33 degrees; see `blinks_with`.
+    first. The head does not follow in `pauses` that are short, but after them. `habits` say how probable a
+    blink is with a shift by 33 degrees; see `blinks_with`. `zone`: degrees that the eyes go alone.
     """
-    pose = _Pose()
+    pose = _Pose(pauses, zone)
     for number, (shift, following) in enumerate(pairwise([*shifts, None])):
         assert shift is not None
         start = max(shift.start, pose.ready)

@@ -78,7 +78,11 @@ def gaze(inputs: ChannelInputs, context: Context) -> Iterator[Movement]:
     numbers, ends = context.numbers, _Ends(inputs)
     looks = _averted(inputs, _commanded(inputs, _apart(looks), ends, context), ends, numbers)
     shifts = list(_fixations(inputs, looks, ends, numbers))
-    yield from shifts_of(shifts, inputs.duration, inputs.profile.blinks, inputs.units.boundaries, numbers)
+    units, habits = inputs.units, inputs.profile
+    pauses = [pause for pause in units.pauses if pause.start > 0.0]  # before all words the head is free
+    yield from shifts_of(
+        shifts, inputs.duration, habits.blinks, units.boundaries, pauses, numbers, habits.gaze.zone
+    )
 
 
 class _Ends:

@@ -5,6 +5,7 @@ Paper A, section 2 (noise); paper B, section 2.1 (a final pause is stillness), a
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_right
 from collections.abc import Collection, Iterator, Sequence
 from itertools import count
@@ -16,9 +17,8 @@ from ..core.movement import Cause, Movement
 from ..core.parameters import INDEX, PARAMETERS
 from ..core.speech.utterance import PauseKind, Syllable, Utterance
 from ..core.time import TICK
-from ..rules.match import HEAD
 from ..rules.modulation import size_of
-from ..rules.rule import TurnState
+from ..rules.rule import HEAD, TurnState
 from .inputs import ChannelInputs, Context
 from .registry import register
 from .ruled import marked_and_ruled, with_eyes
@@ -26,8 +26,13 @@ from .ruled import marked_and_ruled, with_eyes
 NOISE, MELODY, POSTURE = "head.noise.idle", "head.melody.pitch", "head.posture.speaker"
 # Seconds in which one movement of a chain gives way to the next.
 _OVERLAP = 0.02
-# Seconds in which the melody goes back when a pause begins, and the head when all is said.
+# Seconds in which the melody and the noise go home when all is said.
 _RELEASE = 0.24
+# In a pause of this length or more, seconds, the melody goes home slowly, at this mean speed, degrees a
+# second; it is held through shorter ones.
+_LONG_PAUSE, _DRIFT = 0.4, 2.0
+# Seconds that a movement of the noise would take at least in a pause.
+_CALM = 1.0
 # Seconds that a movement of the noise lasts at least, unless an edge of a pause cuts it.
 _SHORTEST = 0.01
 
@@ -64,8 +69,9 @@ def _melody(inputs: ChannelInputs) -> Iterator[Movement]:
     """Yield a chain in which the head rises and falls with the voice's pitch.
 
     It follows each accented syllable quickly, between accents the mean of the others slowly (paper B, section
-    5.2: rapid movements occur on accents), and goes back where a pause begins. Head motion explains some 63 %
-    of the variance of F0 (Munhall et al. 2004).
+    5.2: rapid movements occur on accents). Pauses slow it down: it is held through short ones, goes home
+    slowly in long ones, and soon when all is said. Head motion explains some 63 % of the variance of F0
+    (Munhall et al. 2004).
     """
     degrees = inputs.profile.head.melody
     utterance = inputs.utterance
@@ -78,15 +84,24 @@ def _melody(inputs: ChannelInputs) -> Iterator[Movement]:
         size = degrees * size_of(MELODY, inputs.modulations_at(first))
         pitch = fmean([min(max(s.pitch, -2.0), 2.0) for s in run])
         cause = Cause(MELODY, f'"{utterance.words[run[0].word].text}"')
-        last = run[-1].end
-        pauses = following > last + TICK
-        end, onset = last if pauses else following, min(last, following) - first
-        yield _link(first, end, {"head_pitch": size * pitch}, "melody", cause, onset)
-        if pauses:
-            seconds = min(following - last, _RELEASE)
-            # In a short pause there is time for a part of the way only.
-            left = {"head_pitch": (1.0 - seconds / _RELEASE) * size * pitch + 0.0}  # not -0.0
-            yield _link(last, following, left, "melody", cause, seconds)
+        last, level, final = run[-1].end, size * pitch, run is runs[-1][0]
+        left = _left_after(level, following - last, final=final)
+        drifts = following > last + TICK and (final or left != level)
+        end, onset = last if drifts else following, min(last, following) - first
+        yield _link(first, end, {"head_pitch": level}, "melody", cause, onset)
+        if drifts:
+            seconds = min(following - last, _RELEASE) if final else following - last
+            yield _link(last, following, {"head_pitch": left}, "melody", cause, seconds)
+
+
+def _left_after(level: float, pause: float, *, final: bool) -> float:
+    """Return what is left of a level of the melody after a pause of some seconds."""
+    if final:
+        # In a short pause there is time for a part of the way only.
+        return (1.0 - min(pause / _RELEASE, 1.0)) * level + 0.0  # not -0.0
+    if pause < _LONG_PAUSE:
+        return level
+    return math.copysign(max(abs(level) - _DRIFT * pause, 0.0), level) + 0.0
 
 
 def _runs(said: Utterance) -> Iterator[tuple[list[Syllable], float]]:
@@ -111,6 +126,8 @@ def _noise(inputs: ChannelInputs, numbers: CounterRng) -> Iterator[Movement]:
     steps = noise_steps(habits.dwell, calm.edges, calm.last, inputs.duration, numbers)
     for number, (start, end, share) in enumerate(steps):
         left, size = calm.at(start), size_of(NOISE, inputs.modulations_at(start))
+        if calm.pauses(start):
+            share = min(share, (end - start) / _CALM)
         for name, sd in deviations.items():
             drawn = numbers.normal(name, number, deviation=size * sd, limit=2.0)
             kept = 0.0 if calm.rests(start) else (1.0 - left * share) * targets[name]
@@ -182,6 +199,10 @@ class _Calm:
         if self._situation.turn_at(time) is TurnState.LISTENING:
             return self._listening
         return next((left for start, end, left in self._spans if start <= time < end), 1.0)
+
+    def pauses(self, time: float) -> bool:
+        """Tell whether the speaker pauses at a time, and goes on later."""
+        return any(start <= time < end for start, end, _ in self._spans) and not self.rests(time)
 
     def rests(self, time: float) -> bool:
         """Tell whether nothing more is to be said, so that the head goes back to rest (paper B, 5.2)."""

@@ -6,12 +6,12 @@ In every model, blinks that rules, shifts of gaze and the script ask for count a
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import count
 
 from ..core.counter_rng import CounterRng
 from ..core.movement import Cause, Movement
-from ..rules.match import LIDS
+from ..rules.match import EYES, LIDS
 from ..rules.profiles import BlinkHabits
 from .blinks import blink, blink_depth, blink_seconds
 from .inputs import ChannelInputs, Context
@@ -23,6 +23,9 @@ NATURAL, ITTI, PELACHAUD = (f"manipulators.lids.{name}" for name in ("natural", 
 _HAZARDS = (1.0, 10.0, 1000.0)
 # A movement that closes the eyes at least this far (0..1) and lasts at most this long (seconds) is a blink.
 _SHUT, _LONGEST = 0.5, 0.8
+# Degrees beyond which a saccade shifts attention; those about a face are smaller (profiles: `scan_pitch`,
+# `scan_yaw`), and would let no eye wait long enough for a blink.
+_ATTENTION = 5.0
 # Seconds between two blinks at least.
 _APART = 0.25
 
@@ -54,7 +57,7 @@ def _events(others: Sequence[Movement], length: float, *, saccades: bool) -> lis
     """Return the blinks among other movements, and if wanted the saccades, in order."""
     found = [(m.start, m.end, length + _APART) for m in others if _is_blink(m)]
     if saccades:
-        found += [(m.start, m.start + m.onset, 0.0) for m in others if _is_saccade(m)]
+        found += [(m.start, m.start + m.onset, 0.0) for m in _attention_shifts(others)]
     return sorted(found)
 
 
@@ -62,8 +65,17 @@ def _is_blink(m: Movement) -> bool:
     return m.parameters.get(LIDS[0], 0.0) >= _SHUT and m.end - m.start <= _LONGEST
 
 
-def _is_saccade(m: Movement) -> bool:
-    return m.channel == "gaze" and m.function == "saccade"
+def _attention_shifts(others: Sequence[Movement]) -> Iterator[Movement]:
+    """Yield the saccades that shift attention; those that scan a face go less far."""
+    before: dict[str, Mapping[str, float]] = {}
+    for m in sorted(others, key=lambda m: m.start):
+        if m.channel != "gaze" or not any(eye in m.targets for eye in EYES):
+            continue
+        last = before.get(m.layer, {})
+        before[m.layer] = m.targets
+        way = math.hypot(*(m.targets.get(eye, 0.0) - last.get(eye, 0.0) for eye in EYES))
+        if m.function == "saccade" and way > _ATTENTION:
+            yield m
 
 
 def _model(habits: BlinkHabits) -> tuple[str, NextBlink]:

@@ -7,10 +7,11 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from ..core.channels import channel_timing
 from ..core.movement import Cause, Movement
-from ..rules.gestures import gesture_parts, gesture_seconds
+from ..rules.gestures import timed_parts
 from ..rules.markup import markup_table
 from ..rules.match import Event
 from ..rules.resolve import APART
+from ..rules.stillness import StillTime, next_pause
 from .blinks import blink, blink_depth
 from .inputs import ChannelInputs, Context
 
@@ -41,7 +42,7 @@ def movements_of_rules(inputs: ChannelInputs, context: Context) -> Iterator[Move
         if event.targets:
             yield _held(event)
         if event.rule.effect.gesture is not None:
-            yield from _gesture(event, following)
+            yield from _gesture(event, following, inputs.units.pauses)
         if event.rule.effect.blink is not None:
             own = context.numbers.under(event.rule.id, event.unit.phrase, event.unit.number)
             depth = event.rule.effect.blink * blink_depth(inputs.profile.blinks, own)
@@ -97,25 +98,24 @@ def _following_gestures(events: Sequence[Event]) -> list[float]:
     return following[::-1]
 
 
-def _gesture(event: Event, until: float) -> Iterator[Movement]:
+def _gesture(event: Event, until: float, pauses: Sequence[StillTime]) -> Iterator[Movement]:
     """Yield a gesture's parts up to the time at which another gesture takes over."""
     rule = event.rule
     gesture = markup_table().head[str(rule.effect.gesture)]
-    parts = gesture_parts(gesture, rule.effect.times)
-    seconds = gesture_seconds(gesture, parts)
     amplitude = gesture.amplitude * rule.effect.size * event.size
+    begun = event.span.start
+    parts = timed_parts(gesture, rule.effect.times, *next_pause(begun, pauses))
     for number, part in enumerate(parts, 1):
-        start = event.span.start + part.start * seconds
-        if start > until - APART:
+        if begun + part.start > until - APART:
             return
         yield Movement(
             rule.channel,
-            start,
-            event.span.start + part.end * seconds,
-            (part.onset or 0.0) * seconds,
-            (part.offset or 0.0) * seconds,
+            begun + part.start,
+            begun + part.end,
+            part.onset,
+            part.offset,
             with_eyes({gesture.parameter: part.scale * amplitude}),
-            id=f"{rule.id}@{event.span.start:.3f}.{number}",
+            id=f"{rule.id}@{begun:.3f}.{number}",
             layer=f"{rule.part}.gesture",
             function=rule.timing.function or "minimum_jerk",
             cause=_cause(event),

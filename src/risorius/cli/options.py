@@ -154,7 +154,8 @@ def setting_options(
 ) -> Callable[[F], F]:
     """Return a decorator that gives a command the options of the settings that `stages` read, and `names`.
 
-    `defaults`: in words, what settings of a stage have that are not chosen, if it is not what is usual.
+    `defaults`: in words, where settings of a stage come from that are not chosen, if not from their defaults;
+    help adds what they are if they are not there either.
     """
 
     def decorate(command: F) -> F:
@@ -196,13 +197,20 @@ def flag(name: str) -> str:
 
 def _option(row: Row, default: str | None) -> Callable[[F], F]:
     about: dict[str, Any] = {"metavar": row.entry.metavar, "type": _type(row)}
-    shown = "" if row.is_flag else default or row.text(row.usual)
+    shown = "" if row.is_flag else _shown_default(row, default)
     if row.is_flag:
         about = {"is_flag": True}
     elif row.several:
         about["multiple"] = True
     words = f"{row.entry.help}  [default: {shown}]" if shown else row.entry.help
     return option(row.flag or "", row.name, group=str(row.entry.group), help=words, **about)
+
+
+def _shown_default(row: Row, source: str | None) -> str:
+    """Return what a setting has that is not chosen, in words."""
+    if source is None:
+        return row.text(row.usual)
+    return f"{source}, or {row.entry.scored}" if row.entry.scored else source
 
 
 def _type(row: Row) -> Any:

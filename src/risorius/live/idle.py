@@ -26,6 +26,6 @@ def idle_take(seconds: float, feelings: Displays, settings: Settings) -> Take:
         rules=rule_set_of(settings.rules),
     )
     blend = settings.blend.planned()
-    with emotions_of(settings.rules, settings.expression):
+    with emotions_of(settings.rules, settings.expression, settings.overwhelmed):
         score = channels.compose(inputs, seed=settings.seed, without=settings.without, settings=blend)
     return combine(score, settings)

@@ -50,9 +50,14 @@ def groups_of(utterance: Utterance) -> Iterator[int]:
 
 
 def rate_of_phrase(utterance: Utterance, phrase: Phrase) -> float:
-    """Return the syllables a second of a phrase, the usual rate for one without syllables."""
+    """Return the syllables a second of a phrase, its pauses left out; the usual rate without any."""
     first, last = (
         bisect_left(utterance.syllables, word, key=lambda s: s.word)
         for word in (phrase.first_word, phrase.last_word)
     )
-    return (last - first) / (phrase.end - phrase.start) if last > first else synchrony().usual_rate
+    inside = slice(
+        bisect_left(utterance.pauses, phrase.start, key=lambda p: p.start),
+        bisect_left(utterance.pauses, phrase.end, key=lambda p: p.start),
+    )
+    seconds = phrase.end - phrase.start - sum(p.end - p.start for p in utterance.pauses[inside])
+    return (last - first) / seconds if last > first else synchrony().usual_rate

@@ -7,12 +7,13 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import Annotated
 
+from ..core.channels import CHANNELS
 from ..core.choices import EXPRESSIONS
 from ..core.functions import FunctionName
 from ..errors import ParameterError, unknown
 from ..reading.frozen import FrozenDict
 from ..reading.hints import Range
-from .emotions import Emotion
+from .emotions import Emotion, PriorityLevel
 from .load import load
 from .modulation import Modulation
 
@@ -43,16 +44,41 @@ class ExpressionKind:
 
 
 @dataclass(frozen=True, slots=True)
+class Overwhelmed:
+    """The priority of an emotion of full intensity that overwhelms the speaker; the lips have 60."""
+
+    priority: PriorityLevel
+
+
+@dataclass(frozen=True, slots=True)
 class _Table:
     felt: ExpressionKind
     posed: ExpressionKind
+    overwhelmed: Overwhelmed
+
+
+@cache
+def _table() -> _Table:
+    return load(_Table, "expressions.toml")
+
+
+def overwhelming(emotions: Mapping[str, Emotion]) -> Mapping[str, Emotion]:
+    """Return emotions that outdo speech at full intensity (paper A, section 1: "too happy to speak").
+
+    At lower ones they keep the priorities of their own.
+    """
+    level = _table().overwhelmed.priority
+    own = {name: e.priority or (CHANNELS.get("emotion").priority,) * 5 for name, e in emotions.items()}
+    return {
+        name: replace(e, priority=(*own[name][:-1], max(own[name][-1], level)))
+        for name, e in emotions.items()
+    }
 
 
 @cache
 def expressions() -> Mapping[str, ExpressionKind]:
     """Return the rows of the table by name."""
-    table = load(_Table, "expressions.toml")
-    return FrozenDict({FELT: table.felt, POSED: table.posed})
+    return FrozenDict({FELT: _table().felt, POSED: _table().posed})
 
 
 def expressed(emotions: Mapping[str, Emotion], name: str) -> Mapping[str, Emotion]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from ..core.action_units import resolve_targets, unit_weights
-from ..core.parameters import INDEX, PARAMETERS
+from ..core.parameters import INDEX, PARAMETERS, RIVALS
 from ..core.units import Share
 from ..errors import InputError
 from .emotions import emotion
@@ -104,9 +104,19 @@ def _is_upper(target: str) -> bool:
 
 
 def blended(company: Mapping[str, float]) -> dict[str, float]:
-    """Return the values of emotions displayed together: of each parameter the one furthest from rest."""
+    """Return the values of emotions displayed together: of each parameter the one furthest from rest.
+
+    Of two rivals that different emotions contract the weaker stays at rest (paper A, section 2: a channel
+    holds only movements that do not conflict); what one contracts together, as in a tense face, it keeps.
+    """
     total: dict[str, float] = {}
-    for name in company:
-        for parameter, value in resolve_targets(blend_units(name, company)).items():
+    shown = [resolve_targets(blend_units(name, company)) for name in company]
+    for targets in shown:
+        for parameter, value in targets.items():
             total[parameter] = max(total.get(parameter, 0.0), value, key=abs)
-    return {p.name: total[p.name] for p in PARAMETERS if p.name in total}
+    for parameter in sorted(total, key=lambda name: -abs(total[name])):
+        for rival in RIVALS[parameter]:
+            together = any(targets.get(parameter) and targets.get(rival) for targets in shown)
+            if total.get(parameter) and total.get(rival) and not together:
+                total[rival] = 0.0
+    return {p.name: total[p.name] for p in PARAMETERS if total.get(p.name)}

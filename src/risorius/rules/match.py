@@ -8,7 +8,7 @@ from functools import lru_cache
 
 from ..core.action_units import in_parameters, kept_units, unit_weights
 from ..core.counter_rng import CounterRng
-from ..core.parameters import INDEX, PARAMETERS, Kind, parameters_named
+from ..core.parameters import INDEX, PARAMETERS, parameters_named
 from ..core.time import TICK
 from ..reading.frozen import FrozenDict
 from .emotions import emotion, emotion_key
@@ -17,10 +17,10 @@ from .modulation import Modulation, rate_of, size_of
 from .rule import ANY, NOTHING_FELT, Level, Rule, RuleAnchor, When
 from .rule_span import RuleSpan
 from .rule_spans import RuleSpans
-from .synchrony import MovementPhases, ended_in_pause, snapped, synchrony
+from .stillness import StillTime, begun_in_speech, between_pauses
+from .synchrony import MovementPhases, lasting, snapped, synchrony
 
 LIDS = tuple(p.name for p in parameters_named("orbicularis_oculi_palpebralis"))
-HEAD = tuple(p.name for p in PARAMETERS if p.kind is Kind.HEAD)
 EYES = ("gaze_pitch", "gaze_yaw")
 SIDED = ("head_yaw", "head_roll", "gaze_yaw")
 # Seconds after the clip's end until gestures held to the end are released: later than any frame.
@@ -83,6 +83,8 @@ def _matched(
     for condition in conditions(rule.when):
         fitting = filter(condition, fitting)
     for unit in fitting:
+        if _is_displayed(rule, unit):
+            continue
         felt = felt_modulations(unit.emotions)
         ways = (*modulations, *felt)
         chance = rule.probability * (rate_of(rule.id, ways) if felt else rate)
@@ -94,6 +96,12 @@ def _matched(
         mirrored = rule.effect.mirror and alike.uniform("side") >= 0.5 * (1.0 + side)
         span = _span(rule, unit, own)
         yield _event(rule, unit, units, span, size, mirrored=mirrored)
+
+
+def _is_displayed(rule: Rule, unit: RuleSpan) -> bool:
+    """Tell whether a rule's emblem is of an emotion that the face displays already."""
+    emblem = rule.effect.emblem
+    return emblem is not None and unit.emotions.get(emotion_key(emblem), 0.0) > 0.0
 
 
 def _varied(deviation: float, numbers: CounterRng) -> float:
@@ -155,10 +163,15 @@ def _event(
     if not rule.effect.grouped:
         size *= synchrony().size_at(unit.rate)
     targets = _targets(rule, size, mirrored)
-    if rule.timing.at is RuleAnchor.ACCENT and not targets.keys().isdisjoint(HEAD):
-        span = ended_in_pause(span, units.endings)
+    pauses: Sequence[StillTime] = units.pauses if rule.moves_head_in_speech else ()
+    if rule.moves_head_in_speech:
+        span = begun_in_speech(span, rule.timing.lead, pauses)
+    if targets:
+        span = between_pauses(span, pauses, unit.end if rule.timing.at is RuleAnchor.WHOLE else None)
     if rule.timing.snap:
-        span = snapped(span, units.boundaries)
+        span = snapped(span, units.boundaries, [pause.start for pause in pauses])
+    if rule.timing.at is RuleAnchor.WHOLE:
+        span = lasting(span, rule.timing.shortest, units.boundaries)
     duration = units.situation.duration
     if rule.timing.at is RuleAnchor.WHOLE and rule.level is Level.PAUSE and unit.end > duration - TICK:
         return Event(rule, unit, _until_the_end(span, duration), targets, size)
@@ -200,13 +213,23 @@ def _span(rule: Rule, unit: RuleSpan, numbers: CounterRng) -> MovementPhases:
     tempo = synchrony().duration_at(unit.rate)
     onset, offset = timing.onset * tempo, timing.offset * tempo
     start = _anchored(timing.at, unit, numbers) - timing.lead
+    if timing.at is RuleAnchor.AROUND:
+        return _around(unit, onset, offset)
     if timing.at is RuleAnchor.WHOLE:
-        end = max(unit.end, start + 0.1)
+        end = max(unit.end, start + timing.shortest)
         scale = min(1.0, (end - start) / max(onset + offset, 1e-9))
         return MovementPhases(start, start + scale * onset, end - scale * offset, end)
     hold_end = unit.end if timing.apex is None else start + onset + timing.apex * tempo
     release = max(hold_end, start + onset)
     return MovementPhases(start, start + onset, release, release + offset)
+
+
+def _around(unit: RuleSpan, onset: float, offset: float) -> MovementPhases:
+    """Return a span that is held through a pause; it takes the words around it, or longer, to come and go."""
+    floor, word_start = unit.before or (0.0, unit.start)
+    word_end, ceiling = unit.after or (unit.end, unit.end)
+    start = min(word_start, max(unit.start - onset, floor))
+    return MovementPhases(start, unit.start, unit.end, max(word_end, min(unit.end + offset, ceiling)))
 
 
 def _anchored(at: RuleAnchor, unit: RuleSpan, numbers: CounterRng) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
@@ -20,6 +20,7 @@ from ..reading.source_text import SourceText
 from ..reading.toml import read_tables, read_text
 from .load import DATA, load_folder
 from .modulation import Modulation, ModulationFactor
+from .rule import Rule
 
 NEUTRAL = "neutral"
 Normal = tuple[HabitSeconds, HabitSeconds]
@@ -64,7 +65,7 @@ class GazeHabits:
 
     `speaking`, `listening`: how the eyes leave the listener; `directions`: weights of up, down and side;
     `pitch`, `yaw`: mean and deviation of how far they go, degrees; `scan`: mean seconds of a fixation on the
-    listener's face, and its deviations in pitch and yaw.
+    listener's face, and its deviations in pitch and yaw; `zone`: degrees of a shift that the eyes make alone.
     """
 
     speaking: Aversion
@@ -75,6 +76,7 @@ class GazeHabits:
     scan: HabitSeconds
     scan_pitch: DeviationDegrees
     scan_yaw: DeviationDegrees
+    zone: DeviationDegrees
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,12 +103,19 @@ def _check_posture(posture: Mapping[str, float]) -> None:
             raise ParameterError(f"{name} cannot be held as a posture; expected muscles or the head")
 
 
+def _check_rules(rules: Sequence[Rule]) -> None:
+    names = [rule.id for rule in rules]
+    twice = next((name for name in names if names.count(name) > 1), None)
+    if twice is not None:
+        raise InputError(f"rule '{twice}' is given twice; expected it once")
+
+
 @dataclass(frozen=True, slots=True)
 class Profile:
     """A speaker. `side`: how much the left is preferred, -1 to 1. `posture`: targets held throughout.
 
     `rates`, `sizes`: as in `Modulation`. `age`, `wrinkles`: the skin's, unless the user chooses; the
-    head's own if None.
+    head's own if None. `rule`, `delete`: as in a file of rules, for this speaker.
     """
 
     name: str
@@ -121,9 +130,12 @@ class Profile:
     posture: Mapping[str, float] = field(default_factory=FrozenDict)
     age: Annotated[float, Range(0.0, 100.0)] | None = None
     wrinkles: Mapping[str, Annotated[float, Range(0.0, 2.0)]] = field(default_factory=FrozenDict)
+    rule: tuple[Rule, ...] = ()
+    delete: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         _check_posture(self.posture)
+        _check_rules(self.rule)
         for name in self.gaze.directions:
             if name not in ("up", "down", "side"):
                 raise ParameterError(unknown("direction", name, ("up", "down", "side")))
@@ -138,7 +150,10 @@ class Profile:
 
 @dataclass(frozen=True, slots=True)
 class Attitude:
-    """An attitude that the speaker conveys: a modulation of the rules, and targets held throughout."""
+    """An attitude that the speaker conveys: a modulation of the rules, and targets held throughout.
+
+    `rule`, `delete`: as in a file of rules, for one who has the attitude.
+    """
 
     name: str
     description: str
@@ -146,9 +161,12 @@ class Attitude:
     rates: Mapping[str, ModulationFactor] = field(default_factory=FrozenDict)
     sizes: Mapping[str, ModulationFactor] = field(default_factory=FrozenDict)
     posture: Mapping[str, float] = field(default_factory=FrozenDict)
+    rule: tuple[Rule, ...] = ()
+    delete: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         _check_posture(self.posture)
+        _check_rules(self.rule)
 
     @property
     def modulation(self) -> Modulation:
@@ -197,6 +215,9 @@ def profile_from(text: str, name: str, bases: Mapping[str, str]) -> Profile:
 
 def _merged(under: dict[str, Any], over: dict[str, Any]) -> dict[str, Any]:
     both = {**under, **over}
+    if isinstance(under.get("rule"), list) and isinstance(over.get("rule"), list):
+        own = {rule.get("id") for rule in over["rule"] if isinstance(rule, dict)}
+        both["rule"] = [*(rule for rule in under["rule"] if rule.get("id") not in own), *over["rule"]]
     for key in under.keys() & over.keys():
         if isinstance(under[key], dict) and isinstance(over[key], dict):
             both[key] = _merged(under[key], over[key])

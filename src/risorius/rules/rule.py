@@ -7,7 +7,7 @@ action unit, and a probability above 1 are errors with their place.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, fields
 from enum import StrEnum
 from typing import Annotated
@@ -15,6 +15,7 @@ from typing import Annotated
 from ..core.action_units import resolve_targets
 from ..core.channels import CHANNELS
 from ..core.functions import ONSET_FUNCTIONS
+from ..core.parameters import PARAMETERS, Kind
 from ..core.speech.tobi import boundary_tone, pitch_accent
 from ..core.speech.utterance import PauseKind, Question
 from ..core.units import RiseSeconds, Share
@@ -27,6 +28,7 @@ from .lips import lip_table
 from .markup import markup_table
 
 ANY, NOTHING_FELT = "any", "none"
+HEAD = tuple(p.name for p in PARAMETERS if p.kind is Kind.HEAD)
 AWAY = "away"
 Shift = Annotated[float, Range(-5.0, 5.0)]
 
@@ -66,7 +68,10 @@ class TurnState(StrEnum):
 
 
 class RuleAnchor(StrEnum):
-    """The point of a unit from which a movement starts; ANYWHERE is drawn, WHOLE spans the unit."""
+    """The point of a unit from which a movement starts; ANYWHERE is drawn, WHOLE spans the unit.
+
+    AROUND a pause a movement rises over the word before and falls over the word after.
+    """
 
     START = "start"
     MIDDLE = "middle"
@@ -74,6 +79,7 @@ class RuleAnchor(StrEnum):
     ACCENT = "accent"
     ANYWHERE = "anywhere"
     WHOLE = "whole"
+    AROUND = "around"
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +88,8 @@ class When:
 
     `accent`, `boundary`: ToBI labels, or "any". `pause`: the pause's kind, or that of the one after the unit.
     `rate`: lowest and highest, syllables a second; `lasting`: likewise, seconds. `emotion`: the strongest one
-    felt, by name, at `intensity` at least; "none" if nothing is felt.
+    felt, by name, at `intensity` at least; "none" if nothing is felt. `profile`, `attitude`: names of
+    speakers' profiles, and of attitudes one of which the speaker has.
     """
 
     accent: tuple[str, ...] = ()
@@ -99,6 +106,8 @@ class When:
     emotion: tuple[str, ...] = ()
     intensity: Share = 0.0
     turn: tuple[TurnState, ...] = ()
+    profile: tuple[str, ...] = ()
+    attitude: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         self._check_names()
@@ -118,6 +127,12 @@ class When:
                 lip_table().shape(phone)
         for name in {*self.emotion} - {NOTHING_FELT}:
             emotion(name)
+
+    def suits(self, profile: str, attitudes: Collection[str]) -> bool:
+        """Return whether a speaker with a profile and attitudes, by name, is one whom the rule is for."""
+        return (not self.profile or profile in self.profile) and (
+            not self.attitude or not set(self.attitude).isdisjoint(attitudes)
+        )
 
     def asked(self) -> tuple[str, ...]:
         """Return the names of the conditions that ask for something."""
@@ -168,6 +183,7 @@ class Timing:
 
     It starts `lead` before the anchor, is held for `apex` (to the unit's end if None), and is snapped to
     the phonemes' boundaries unless `snap` is false. `function`: an onset function, the channel's if None.
+    `shortest`: how long a movement lasts at least that spans its unit.
     """
 
     at: RuleAnchor = RuleAnchor.START
@@ -177,6 +193,7 @@ class Timing:
     offset: RiseSeconds = 0.2
     snap: bool = True
     function: str | None = None
+    shortest: RiseSeconds = 0.1
 
     def __post_init__(self) -> None:
         if self.function is not None:
@@ -186,7 +203,7 @@ class Timing:
 _ID = re.compile(r"(?<![a-z_])[a-z_]++(?:\.[\w-]++){2,}")
 RULED_CHANNELS = tuple(name for name in CHANNELS if CHANNELS.get(name).rules)
 # Conditions that units of a level can meet; all others would keep a rule from ever firing.
-_ALWAYS = frozenset({"rate", "lasting", "emotion", "intensity", "turn"})
+_ALWAYS = frozenset({"rate", "lasting", "emotion", "intensity", "turn", "profile", "attitude"})
 _SPOKEN = frozenset({"accent", "nuclear", "boundary", "pause", "question", "stress", "position", "words"})
 CONDITIONS: Mapping[Level, frozenset[str]] = {
     Level.PHONEME: _ALWAYS | {"phones", "stress", "position", "words", "question", "pause"},
@@ -225,6 +242,10 @@ class Rule:
             raise ParameterError(unknown(f"channel of rule '{self.id}'", self.channel, RULED_CHANNELS))
         if not _ID.fullmatch(self.id):
             raise InputError(f"rule id '{self.id}' cannot be used; expected channel.part.name")
+        if self.timing.at is RuleAnchor.AROUND and self.level is not Level.PAUSE:
+            raise InputError(
+                f"rule '{self.id}': only a pause has words around it; expected level = \"pause\""
+            )
         for name in self.when.asked():
             if name not in CONDITIONS[self.level]:
                 known = ", ".join(sorted(CONDITIONS[self.level]))
@@ -240,3 +261,9 @@ class Rule:
     def part(self) -> str:
         """The part of the face that moves."""
         return self.id.split(".")[1]
+
+    @property
+    def moves_head_in_speech(self) -> bool:
+        """Whether it moves the head together with words: not in pauses, nor about the end of a turn."""
+        turns = any(name in HEAD for name in self.effect.targets) or self.effect.gesture is not None
+        return turns and self.level not in (Level.PAUSE, Level.TURN, Level.MOMENT)

@@ -9,16 +9,16 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
-from ..errors import ParameterError, Place, RisoriusError, unknown
+from ..errors import InputError, ParameterError, Place, RisoriusError, unknown
 from ..reading.frozen import FrozenDict
 from ..reading.source_text import SourceText
 from ..reading.toml import parse, read_tables, read_text
 from .emotions import emotions_in_force
-from .expressions import FELT, expressed
+from .expressions import FELT, expressed, overwhelming
 from .habits import HABITS, Habit, HabitChanges, deleted_by, with_habits
 from .load import DATA
 from .modulation import is_under
-from .profiles import NEUTRAL, profile
+from .profiles import NEUTRAL, attitudes, profile, profiles
 from .rule import Rule
 from .tables import TableChanges, TableEntry, check, deleted_entries
 
@@ -52,11 +52,13 @@ class RuleSet:
     """The rules that hold, by id, in the order of their files, and the files' changes of habits.
 
     `habit_places`: where each of the changed habits stands; `tables`, `table_places`: likewise of tables.
+    `gone`: ids, or their beginnings up to a dot, that files replace or delete.
     """
 
     entries: Mapping[str, RuleEntry] = field(default_factory=FrozenDict)
     habits: HabitChanges = field(default_factory=HabitChanges)
     habit_places: tuple[Place, ...] = ()
+    gone: tuple[str, ...] = ()
     tables: TableChanges = field(default_factory=TableChanges)
     table_places: tuple[Place, ...] = ()
 
@@ -91,9 +93,15 @@ def rule_set_of(path: Path | None) -> RuleSet:
 
 
 @contextmanager
-def emotions_of(path: Path | None, expression: str = FELT) -> Iterator[None]:
-    """Let the emotions be as a user's file changes them, felt or posed; raises as `rule_set_of`."""
-    with emotions_in_force(expressed(rule_set_of(path).tables.emotions(), expression)):
+def emotions_of(path: Path | None, expression: str = FELT, overwhelmed: bool = False) -> Iterator[None]:
+    """Let the emotions be as a user's file changes them, felt or posed; raises as `rule_set_of`.
+
+    `overwhelmed`: at full intensity they outdo speech.
+    """
+    changed = rule_set_of(path).tables.emotions()
+    if overwhelmed:
+        changed = overwhelming(changed)
+    with emotions_in_force(expressed(changed, expression)):
         yield
 
 
@@ -110,10 +118,11 @@ def extended(rule_set: RuleSet, text: str, name: str) -> RuleSet:
     entries = dict(rule_set.entries)
     for index, prefix in enumerate(file.delete):
         found = [known for known in entries if is_under(known, prefix)]
+        found += [known for known in _rules_of_speakers() if is_under(known, prefix)]
         if not found and not deleted_by([prefix]) and not deleted_entries([prefix]):
             raise source.error(("delete", index), unknown("rule", prefix, (*entries, *HABITS)))
         for known in found:
-            del entries[known]
+            entries.pop(known, None)
     texts = _rule_texts(text)
     own = {rule.id: RuleEntry(rule, source.place(("rule", i)), texts[i]) for i, rule in enumerate(file.rule)}
     _check_own(file, own, rule_set, source)
@@ -130,6 +139,7 @@ def extended(rule_set: RuleSet, text: str, name: str) -> RuleSet:
         entries,
         habits,
         (*rule_set.habit_places, *places),
+        (*rule_set.gone, *file.delete, *sorted(gone)),
         tables,
         (*rule_set.table_places, *table_places),
     )
@@ -192,10 +202,28 @@ def _check_own(file: RuleFile, own: Mapping[str, RuleEntry], rule_set: RuleSet, 
             raise source.error(("rule", index, "id"), f"rule '{rule.id}' is given twice; expected it once")
         seen.add(rule.id)
         for old in rule.replaces:
-            if old not in own and old not in rule_set.entries:
+            if old not in own and old not in rule_set.entries and old not in _rules_of_speakers():
                 raise source.error(path, unknown("rule", old, (*own, *rule_set.entries)))
+        _check_speakers(rule, source.place(("rule", index, "when")))
         if circle := _circle(rule.id, own):
             raise source.error(path, f"replacements go round in a circle: {' → '.join(circle)}")
+
+
+def _check_speakers(rule: Rule, place: Place) -> None:
+    """Raise InputError for a condition on an unknown attitude or profile; files of profiles end in .toml."""
+    for name in rule.when.attitude:
+        if name not in attitudes():
+            raise InputError(unknown("attitude", name, attitudes()), place)
+    for name in rule.when.profile:
+        if name not in profiles():
+            raise InputError(unknown("profile", name, profiles()), place)
+
+
+@cache
+def _rules_of_speakers() -> frozenset[str]:
+    """Return the ids of the rules in our profiles and attitudes."""
+    of_profiles = (rule.id for p in profiles().values() for rule in p.rule)
+    return frozenset((*of_profiles, *(rule.id for a in attitudes().values() for rule in a.rule)))
 
 
 def _circle(start: str, own: Mapping[str, RuleEntry]) -> tuple[str, ...]:

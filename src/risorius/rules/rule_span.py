@@ -18,6 +18,8 @@ class RuleSpan:
     `text`: how messages name it. `accented`: where its accented syllable begins, the nuclear one of several.
     `rate`: syllables a second of its phrase. `group`: which run of related utterances it belongs to. `phrase`
     and `number`: its phrase, and which it is of its level there; they count the random numbers of rules.
+    `before`: when the pause before a pause has ended, and when the word before it begins; `after`: when the
+    word after it ends, and when the next pause begins.
     """
 
     level: Level
@@ -39,6 +41,8 @@ class RuleSpan:
     group: int = 0
     emotions: Mapping[str, float] = field(default_factory=FrozenDict)
     turn: TurnState = TurnState.SPEAKING
+    before: tuple[float, float] | None = None
+    after: tuple[float, float] | None = None
 
     @property
     def middle(self) -> float:

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from functools import cached_property
 
-from ..core.speech.utterance import SENTENCE_ENDS
 from .rule import Level
 from .rule_span import RuleSpan
 from .situation import Situation
 from .speech_spans import SpeechSpans
+from .stillness import StillTime, still_times
 
 # Seconds.
 MOMENT = 1.0
@@ -41,10 +41,9 @@ class RuleSpans:
         return (0.0, *(phone.end for phone in self._said.phones))
 
     @cached_property
-    def endings(self) -> tuple[float, ...]:
-        """Return where the pauses begin that end a sentence, seconds, in order."""
-        pauses = self._said.pauses if self._said is not None else ()
-        return tuple(p.start for p in pauses if p.kind in SENTENCE_ENDS)
+    def pauses(self) -> tuple[StillTime, ...]:
+        """Return the pauses, in which the head stands still, in order."""
+        return still_times(self._said) if self._said is not None else ()
 
     @cached_property
     def _spoken(self) -> dict[Level, Callable[[], Iterator[RuleSpan]]]:

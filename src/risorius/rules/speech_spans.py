@@ -212,14 +212,18 @@ class SpeechSpans:
 
     def pauses(self) -> Iterator[RuleSpan]:
         """Yield the pauses."""
-        pauses = self.said.pauses
+        pauses, words = self.said.pauses, self.said.words
         counts = Counter[int]()
         for index, pause in enumerate(pauses):
-            before = bisect_right(self.said.words, pause.start, key=lambda w: w.end) - 1
+            before = bisect_right(words, pause.start, key=lambda w: w.end) - 1
             text = f"the {pause.kind} pause"
+            floor = pauses[index - 1].end if index else 0.0
+            ceiling = pauses[index + 1].start if index + 1 < len(pauses) else self.said.duration
             yield self._unit(
                 Level.PAUSE, counts, pause, text, max(before, 0),
                 pause=pause.kind, position=_position(index, len(pauses)),
+                before=(floor, words[before].start) if before >= 0 else None,
+                after=(words[before + 1].end, ceiling) if before + 1 < len(words) else None,
             )  # fmt: skip
 
 

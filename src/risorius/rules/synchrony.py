@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -13,6 +13,8 @@ from ..core.units import Share
 from ..reading.hints import Range
 from .load import load
 
+RISE = 0.4
+"""The share of its shortest time in which a movement rises."""
 Exponent = Annotated[float, Range(0.0, 2.0)]
 SpeechRate = Annotated[float, Range(0.5, 20.0)]
 
@@ -39,7 +41,6 @@ class Synchrony:
     slow_rate: SpeechRate
     group_pause: Annotated[float, Range(0.0, 60.0)]
     reach: Share
-    settling: Annotated[float, Range(0.0, 2.0)]
     least_time: Annotated[float, Range(0.1, 1.0)]
     duration: RateLaw
     size: RateLaw
@@ -69,34 +70,45 @@ class MovementPhases:
     end: float
 
 
-def ended_in_pause(span: MovementPhases, pauses: Sequence[float]) -> MovementPhases:
-    """Return a span that has ended soon after the first pause that it runs into.
-
-    `pauses` are the starts of those in which the head stands still, in order.
-    """
-    index = bisect_left(pauses, span.start)
-    if index == len(pauses):
-        return span
-    table, length = synchrony(), span.end - span.start
-    share = max((pauses[index] + table.settling - span.start) / length, table.least_time)
-    if share >= 1.0:
-        return span
-    apex, release, end = (span.start + share * (t - span.start) for t in (span.apex, span.release, span.end))
-    return MovementPhases(span.start, apex, release, end)
-
-
-def snapped(span: MovementPhases, boundaries: Sequence[float]) -> MovementPhases:
+def snapped(
+    span: MovementPhases, boundaries: Sequence[float], limits: Sequence[float] = ()
+) -> MovementPhases:
     """Return a span with each time moved to the closest phoneme boundary within reach.
 
     The apex is where the time from the new start is closest to the onset, and likewise the end. Onset and
-    offset keep a length: if one would vanish, its time stays unsnapped.
+    offset keep a length: if one would vanish, its time stays unsnapped. Neither ends later than at the first
+    of `limits`, boundaries in order, that comes after it begins.
     """
     start = nearest(span.start, boundaries)
     onset, offset = span.apex - span.start, span.end - span.release
-    apex = _after(start, start + onset, boundaries) if onset > 0.0 else start
+    until = _first_after(start, limits)
+    apex = min(_after(start, start + onset, boundaries), until) if onset > 0.0 else start
     release = max(nearest(max(span.release, apex), boundaries), apex)
-    end = _after(release, release + offset, boundaries) if offset > 0.0 else release
-    return MovementPhases(start, apex, release, end)
+    until = _first_after(span.release, limits)
+    if release >= until:
+        before = boundaries[bisect_left(boundaries, until) - 1]
+        release = max(before if span.release - before <= synchrony().reach else span.release, apex)
+    end = min(_after(release, release + offset, boundaries), until) if offset > 0.0 else release
+    return MovementPhases(start, apex, release, max(end, release))
+
+
+def _first_after(time: float, limits: Sequence[float]) -> float:
+    index = bisect_right(limits, time)
+    return limits[index] if index < len(limits) else math.inf
+
+
+def lasting(span: MovementPhases, seconds: float, boundaries: Sequence[float]) -> MovementPhases:
+    """Return a span that lasts some seconds at least, if needed up to the next boundary within reach.
+
+    It rises for `RISE` of them at least.
+    """
+    apex = max(span.apex, span.start + RISE * seconds)
+    if span.end - span.start >= seconds:
+        return MovementPhases(span.start, min(apex, span.release), span.release, span.end)
+    index = bisect_left(boundaries, end := span.start + seconds)
+    later = boundaries[index] if index < len(boundaries) else math.inf
+    end = later if later - end <= synchrony().reach else end
+    return MovementPhases(span.start, apex, max(apex, end - (span.end - span.release)), end)
 
 
 def nearest(time: float, boundaries: Sequence[float], reach: float | None = None) -> float:

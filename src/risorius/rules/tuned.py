@@ -14,6 +14,9 @@ from ..reading.hints import Range
 from ..reading.toml import written
 from .profiles import Profile, profile, profile_from, profile_texts
 
+# A speaker's rules have numbers of their own.
+_RULES = ("rule", "delete")
+
 
 @dataclass(frozen=True, slots=True)
 class Number:
@@ -29,6 +32,8 @@ def numbers_of(item: Any, prefix: str = "") -> Iterator[Number]:
     """Yield all numbers of a profile (or a part), those of a tuple as `key.0`, of a mapping as `key.name`."""
     hints = typing.get_type_hints(type(item), include_extras=True)
     for f in dataclasses.fields(item):
+        if f.name in _RULES:
+            continue
         yield from _numbers(f"{prefix}{f.name}", getattr(item, f.name), hints[f.name])
 
 
@@ -101,7 +106,8 @@ def _set(table: dict[str, Any], item: Any, path: list[str], value: float, key: s
 
 def _numbered(item: Any) -> tuple[str, ...]:
     """Return the fields of a profile or a part that hold numbers, or may."""
-    return tuple(f.name for f in dataclasses.fields(item) if not isinstance(getattr(item, f.name), str))
+    fields = (f.name for f in dataclasses.fields(item) if f.name not in _RULES)
+    return tuple(name for name in fields if not isinstance(getattr(item, name), str))
 
 
 def _replaced(items: list[float], path: list[str], value: float, key: str) -> list[float]:

@@ -103,9 +103,9 @@ class Setting:
     for its value in help. `low`, `high`: its range, also of each of several amounts; `step` of a control.
     `names`: what it may be called, `what` errors call one of them; `find`, the path of a function, raises for
     a name that is not known, where files may be named as well. `usual`: what None comes to if a script
-    is planned; `unset`: what None means, in words. `read`, a function or its path, makes a value of a text;
-    `fills` names the settings that such a text gives if they are more than one. `on_page`: whether the studio
-    shows it.
+    is planned; `scored`, in words: if a score is combined that leaves it open; `unset`: what None means, in
+    words. `read`, a function or its path, makes a value of a text; `fills` names the settings that such a
+    text gives if they are more than one. `on_page`: whether the studio shows it.
     """
 
     help: str
@@ -121,6 +121,7 @@ class Setting:
     what: str
     find: str
     usual: object
+    scored: str
     unset: str
     read: Callable[[str], Any] | str | None
     fills: tuple[str, ...]
@@ -144,6 +145,7 @@ def setting(
     what: str = "",
     find: str = "",
     usual: object = None,
+    scored: str = "",
     unset: str = "",
     read: Callable[[str], Any] | str | None = None,
     fills: tuple[str, ...] = (),
@@ -169,6 +171,7 @@ def setting(
         what,
         find,
         usual,
+        scored,
         unset,
         read,
         fills,

@@ -153,7 +153,8 @@ class BlendChoices(metaclass=Named):
 
     conflict: str | None = _model(
         "Conflicts", None, "How conflicts between muscles are resolved: {names}.",
-        metavar="POLICY", usual=choices.CONFLICT.planned, names=choices.CONFLICT_POLICIES,
+        metavar="POLICY", usual=choices.CONFLICT.planned, scored=choices.CONFLICT.score,
+        names=choices.CONFLICT_POLICIES,
         registry="blend.conflict:POLICIES", what="conflict policy")
     activation_threshold: float | None = _model(
         "Threshold", None, "Activity of a rival above which a muscle gives way.",
@@ -168,13 +169,13 @@ class BlendChoices(metaclass=Named):
         "Onsets", None,
         "The function by which all movements rise and fall: {names}.",
         names=choices.ONSET_FUNCTIONS, registry="core.functions:ONSET_FUNCTIONS", what="onset function",
-        unset="by channel")
+        scored="each movement's, exponential if it names none", unset="by channel")
     contact: bool | None = _model(
         "Lips always close", None, "Switch off the lips' contact goals, to see their effect.",
         flag="--without-contact", usual=choices.CONTACT.planned)
     lips: str | None = _model(
         "Lips", None, "Model of coarticulation: {names}.",
-        metavar="MODEL", usual=choices.LIPS.planned, names=choices.LIP_MODELS,
+        metavar="MODEL", usual=choices.LIPS.planned, scored=choices.LIPS.score, names=choices.LIP_MODELS,
         registry="blend.mouth.coarticulation:LIP_MODELS",
         what="lip model")
     rounding: float | None = _model(
@@ -240,6 +241,10 @@ class Settings(metaclass=Named):
         "Whether emotions are {names}. Posed ones are faster and less smooth, and do not affect "
         "other channels.",
         names=choices.EXPRESSIONS, registry="rules.expressions:expressions")
+    overwhelmed: bool = _manner(
+        "Too moved to speak", False,
+        "Let emotions of full intensity win over speech: too happy to speak (paper A, section 1).",
+        flag="--overwhelmed")
     blinks: str | None = _manner(
         "Blinks", None, "How blinks are timed: {names}.",
         names=choices.BLINK_MODELS, what="model of blinks", unset="the profile's own")

@@ -12,16 +12,18 @@ from ..core.directions import UNDIRECTED, Directions
 from ..core.progress import Progress, quiet
 from ..core.speech.utterance import Utterance
 from ..core.speech.voice_style import PLAIN, VoiceAdjustment
-from ..errors import InputError, ParameterError, Place, SpeechError
+from ..errors import InputError, ParameterError, Place, SpeechError, warnings_to
 from ..script import Script
 from .affect import Feeling, coloured, common_manner, written_words
 from .assembly.assemble import Assembler, SpokenText
 from .engines.protocol import SpeechEngine
 from .engines.registry import is_voice_file
+from .plain_breaks import plain_breaks
 from .prosody.measure import pitched
 from .prosody.pitch import measure_pitch
 from .speaker import KnownRenditions, Speaker, find_speaker
 from .structure.build import build_utterance
+from .structure.pauses import Breaks
 from .synthesis_cache import SynthesisCache
 from .text.tokens import is_speakable
 
@@ -75,8 +77,14 @@ def synthesize_script(
             spoken = _speak(script, replace(speaker, manner=manner), silences)
         else:
             spoken = _speak_coloured(script, felt, speaker, silences)
+        breaks = None
+        if manner != PLAIN:
+            quiet_speaker = replace(speaker, progress=None)
+            speak_plainly = partial(_speak, speaker=quiet_speaker, silences=silences)
+            with warnings_to(lambda _: None):  # they were told when it was spoken with emotion
+                breaks = plain_breaks(script, spoken, speaker.language, speak_plainly)
         measure = measure_pitch if before is None else before.pitch.measure
-        return pitched(_built(spoken, speaker), _pitch(speaker, manner), measure)
+        return pitched(_built(spoken, speaker, breaks), _pitch(speaker, manner), measure)
     except SpeechError as error:
         # The script is at fault only if it names the language itself.
         named = code is not None and language is None
@@ -186,9 +194,9 @@ def _at(place: Place) -> Iterator[None]:
         raise error.at(place) from None
 
 
-def _built(spoken: SpokenText, speaker: Speaker) -> Utterance:
+def _built(spoken: SpokenText, speaker: Speaker, breaks: Breaks | None = None) -> Utterance:
     text, audio, phones, words, lines = spoken
-    return build_utterance(text, speaker.voice.language, audio, phones, words, lines)
+    return build_utterance(text, speaker.voice.language, audio, phones, words, lines, breaks)
 
 
 def _pitch(speaker: Speaker, manner: VoiceAdjustment | None) -> float | None:

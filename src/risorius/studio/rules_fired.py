@@ -8,7 +8,9 @@ from dataclasses import dataclass
 from ..core.movement import Movement
 from ..core.progress import Progress
 from ..core.score import Score
+from ..rules.profiles import attitude, profile_of
 from ..rules.rule_set import rule_set_of
+from ..rules.speakers import rules_of_speaker
 from .session.session import Session
 from .wire.shared import Whole
 
@@ -40,7 +42,9 @@ class FiredRules:
 def rules_fired(session: Session, request: RulesFired, progress: Progress) -> FiredRules:
     """Return the rules that fired in a take."""
     live = session.live(request.take)
-    rule_set = rule_set_of(live.take.settings.rules)
+    settings = live.take.settings
+    attitudes = [attitude(name) for name in settings.attitudes]
+    rule_set = rules_of_speaker(rule_set_of(settings.rules), profile_of(settings.profile), attitudes)
     rules = []
     for rule, movements in sorted(_by_rule(live.take.score).items()):
         comment = rule_set.entries[rule].rule.comment if rule in rule_set.entries else ""

@@ -18,27 +18,28 @@ from ...languages.intonation import Candidate
 from .context import THEME, DiscourseContext, PlacedWord, context_of
 from .deaccent import deaccented
 from .lines import TextLine, following_texts, whole
+from .pauses import Breaks
 from .phrases import find_phrases
 
 PRIMARY = 2
 
 
-def intone(utterance: Utterance, lines: Sequence[TextLine] = ()) -> Utterance:
+def intone(utterance: Utterance, lines: Sequence[TextLine] = (), breaks: Breaks | None = None) -> Utterance:
     """Return the utterance with its phrases, their accents, each at the middle of its vowel, and boundaries.
 
     A phrase also ends with a boundary that is written by hand; if accents are, its other words have none. One
-    accent per phrase is nuclear. Without `lines` the text is one.
+    accent per phrase is nuclear. Without `lines` the text is one. `breaks`: as in `find_phrases`.
     """
     lines = lines or (whole(utterance.text, utterance.phones),)
     tones = _by_word(utterance.words, [(line, line.directions.accents) for line in lines])
     ends = _by_word(utterance.words, [(line, line.directions.boundaries) for line in lines])
     language = language_of(utterance.language)
-    phrases = find_phrases(utterance, ends, clauses=True, lines=lines)
+    phrases = find_phrases(utterance, ends, clauses=True, lines=lines, breaks=breaks)
     contexts = _contexts(utterance, language, phrases, lines)
     themes = {word: THEME for context in contexts for word in context.themes if word not in ends}
     if themes:
         ends = themes | ends
-        phrases = find_phrases(utterance, ends, clauses=True, lines=lines)
+        phrases = find_phrases(utterance, ends, clauses=True, lines=lines, breaks=breaks)
     accents: list[Accent] = []
     boundaries: list[Boundary] = []
     last_words = [line.words(utterance.words).stop for line in lines]

@@ -9,7 +9,7 @@ from ...core.speech.utterance import Phone, Utterance, Word
 from ...languages import language_of
 from .accents import intone
 from .lines import TextLine
-from .pauses import find_pauses
+from .pauses import Breaks, find_pauses
 from .syllables import syllabify
 
 
@@ -20,9 +20,13 @@ def build_utterance(
     phones: tuple[Phone, ...],
     words: tuple[Word, ...],
     lines: Sequence[TextLine] = (),
+    breaks: Breaks | None = None,
 ) -> Utterance:
-    """Return the utterance of a text in the language `code`; without `lines` the text is one."""
+    """Return the utterance of a text in the language `code`; without `lines` the text is one.
+
+    `breaks`: the pauses that end phrases, if they are not those of the sound.
+    """
     language = language_of(code)
     syllables = syllabify(phones, words, language)
     pauses = find_pauses(text, phones, words, language, lines)
-    return intone(Utterance(text, code, audio, phones, words, syllables, pauses), lines)
+    return intone(Utterance(text, code, audio, phones, words, syllables, pauses), lines, breaks)

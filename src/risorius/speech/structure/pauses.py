@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence, Set
+from collections.abc import Mapping, Sequence, Set
 
 from ...core.speech.utterance import SILENCE, Pause, PauseKind, Phone, Word
 from ...languages import Language, plain_word
@@ -19,6 +19,16 @@ _KINDS = (
     (re.compile(r"[.\u3002\uff0e\u0964\u0965\u06d4]|\n\s*\n"), PauseKind.FULL_STOP),
 )
 _CLAUSE = re.compile(r"[,;:()\u2013\u2014\u060c\u3001\uff0c\uff1b\uff1a]|--|\s-\s|\n")
+
+
+Breaks = Mapping[int, PauseKind]
+"""The kind of the pause after each word that has one, by the word's index."""
+
+
+def breaks_of(pauses: Sequence[Pause], words: Sequence[Word]) -> dict[int, PauseKind]:
+    """Return the breaks that pauses make among words."""
+    kinds = {pause.start: pause.kind for pause in pauses}
+    return {index: kinds[word.end] for index, word in enumerate(words) if word.end in kinds}
 
 
 def find_pauses(

@@ -11,7 +11,7 @@ from ...core.speech.utterance import SENTENCE_ENDS, Ending, PauseKind, Phrase, Q
 from ...languages import Language, language_of, plain_word
 from ..text.sentences import divide
 from .lines import TextLine, following_texts, whole
-from .pauses import punctuation_kind
+from .pauses import Breaks, breaks_of, punctuation_kind
 from .questions import question_of
 
 _ENDINGS = {
@@ -32,12 +32,14 @@ _QUESTION_ENDINGS = {
 class _Text:
     """An utterance as it is written: `following` are the characters after each word.
 
-    `sentences`: the first word of each; `line_ends`: the last word of each line.
+    `breaks`: the kind of the pause after each word that has one. `sentences`: the first word of each;
+    `line_ends`: the last word of each line.
     """
 
     utterance: Utterance
     language: Language
     following: Sequence[str]
+    breaks: Breaks
     sentences: Sequence[int]
     line_ends: Set[int]
 
@@ -53,20 +55,24 @@ def find_phrases(
     *,
     clauses: bool = False,
     lines: Sequence[TextLine] = (),
+    breaks: Breaks | None = None,
 ) -> tuple[Phrase, ...]:
     """Return the phrases of an utterance, in order.
 
     A phrase ends at a pause, with a sentence, and with one of `last_words`; if `clauses`, also before a word
-    with which a clause begins, though nothing is heard there. A sentence ends with its line.
+    with which a clause begins, though nothing is heard there. A sentence ends with its line. `breaks`: the
+    pauses that count, by the word before, if they are not those of the sound.
     """
     words = utterance.words
-    text = _text_of(utterance, lines or (whole(utterance.text, utterance.phones),))
+    if breaks is None:
+        breaks = breaks_of(utterance.pauses, words)
+    text = _text_of(utterance, lines or (whole(utterance.text, utterance.phones),), breaks)
     sentences = text.sentences
     sentence_ends = {*sentences, len(words)}
     ends = [
         index
         for index in range(len(words))
-        if index + 1 in sentence_ends or index in last_words or utterance.pause_after(index)
+        if index + 1 in sentence_ends or index in last_words or index in breaks
     ]
     phrases: list[Phrase] = []
     for before, last in pairwise([-1, *ends]):
@@ -85,14 +91,17 @@ def find_phrases(
     return tuple(phrases)
 
 
-def _text_of(utterance: Utterance, lines: Sequence[TextLine]) -> _Text:
+def _text_of(utterance: Utterance, lines: Sequence[TextLine], breaks: Breaks) -> _Text:
     language = language_of(utterance.language)
     following = following_texts(utterance.text, utterance.words, lines)
     line_ends = {line.words(utterance.words).stop - 1 for line in lines}
-    return _Text(utterance, language, following, _sentence_starts(utterance, language, lines), line_ends)
+    sentences = _sentence_starts(utterance, language, lines, breaks)
+    return _Text(utterance, language, following, breaks, sentences, line_ends)
 
 
-def _sentence_starts(utterance: Utterance, language: Language, lines: Sequence[TextLine]) -> list[int]:
+def _sentence_starts(
+    utterance: Utterance, language: Language, lines: Sequence[TextLine], breaks: Breaks
+) -> list[int]:
     """Return the first word of each sentence."""
     texts = [(c.start, utterance.text[c.start : c.stop]) for c in (line.characters for line in lines)]
     cuts = [start + s.end for start, text in texts for s in divide(text, language) if s.ends_sentence]
@@ -100,13 +109,8 @@ def _sentence_starts(utterance: Utterance, language: Language, lines: Sequence[T
     return [
         index
         for index, number in enumerate(numbers)
-        if index == 0 or number != numbers[index - 1] or _pauses_as_sentences_do(utterance, index - 1)
+        if index == 0 or number != numbers[index - 1] or breaks.get(index - 1) in SENTENCE_ENDS
     ]
-
-
-def _pauses_as_sentences_do(utterance: Utterance, word: int) -> bool:
-    pause = utterance.pause_after(word)
-    return pause is not None and pause.kind in SENTENCE_ENDS
 
 
 def _question(text: _Text, first: int, last: int) -> Question:
@@ -125,8 +129,8 @@ def _opening(text: _Text, first: int, last: int) -> int:
 
 def _ending(text: _Text, sentence: int, last: int) -> Ending:
     """Return how the phrase with the last word `last` ends; its sentence starts with the word `sentence`."""
-    pause = text.utterance.pause_after(last)
-    if pause is not None and pause.kind is PauseKind.HESITATION:
+    pause = text.breaks.get(last)
+    if pause is PauseKind.HESITATION:
         return Ending.HESITATION
     kind = punctuation_kind(text.following[last])
     if kind is PauseKind.QUESTION:

@@ -53,7 +53,10 @@ class Performer:
             return self._scored(inputs, settings)
         begun = time.perf_counter()
         messages: list[str] = []
-        with warnings_to(messages.append), emotions_of(settings.rules, settings.expression):
+        with (
+            warnings_to(messages.append),
+            emotions_of(settings.rules, settings.expression, settings.overwhelmed),
+        ):
             script, utterance, displays = self._said(inputs.source, spans, settings, progress)
             spoken_at = time.perf_counter()
             progress("Planning …")
