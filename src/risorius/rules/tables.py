@@ -141,7 +141,7 @@ def _new_emotion(name: str, entry: TableEntry) -> dict[str, Any]:
     targets = entry.values.get("targets", {})
     emblem = {"onset": 0.25, "offset": 0.35, "duration": 1.0, "targets": targets}
     return {
-        "name": name, "aliases": [], "description": entry.comment or name, "source": entry.source,
+        "name": name, "description": entry.comment or name, "source": entry.source,
         "onset": HAND_ONSET, "offset": HAND_OFFSET, "emblem": emblem,
     }  # fmt: skip
 
