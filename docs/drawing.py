@@ -14,6 +14,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from PIL import Image
 
+from risorius.charts.figures import figures
 from risorius.core.movement import Movement
 from risorius.take import Take
 
@@ -285,6 +286,12 @@ def demo(path: Path) -> None:
     shrink(path, 256)
 
 
+def paper_a(path: Path) -> None:
+    """Figures 4 to 7 as the command draws them."""
+    figures("paper-a", path)
+    shrink(path, 256)
+
+
 FIGURES: dict[str, Callable[[Path], None]] = {
     "faces": faces,
     "single-movement": single_movement,
@@ -295,4 +302,5 @@ FIGURES: dict[str, Callable[[Path], None]] = {
     "policies": policies,
     "demo-curves": demo_curves,
     "demo": demo,
+    "paper-a": paper_a,
 }
