@@ -21,7 +21,7 @@ from risorius.take import Take
 INK, SOFT, GRID = "#22303c", "#8a97a5", "#e3e8ed"
 OURS, PRINTED, SPEECH, SECOND = "#0b7a75", "#d1495b", "#e9a23b", "#5b6fb5"
 DPI = 144
-NEARLY_WHITE = 248
+NEARLY_WHITE = 243
 STYLE = {
     "font.family": "DejaVu Sans", "font.size": 9.0, "text.color": INK,
     "axes.titlesize": 10.0, "axes.titleweight": "bold", "axes.titlelocation": "left", "axes.titlepad": 7.0,
