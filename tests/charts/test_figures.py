@@ -98,6 +98,19 @@ def test_a_span_is_cut_out(score: str) -> None:
         assert all(line.times[0] >= 1.0 and line.times[-1] <= 2.0 for line in panel.lines)
 
 
+def test_what_is_long_has_before_above_after(tmp_path: Path) -> None:
+    file = tmp_path / "x.score.json"
+    longer = [
+        {**movement, "start": 4.0 * movement["start"], "end": 4.0 * movement["end"]} for movement in MOVEMENTS
+    ]
+    file.write_text(json.dumps({"risorius": 1, "duration": 16.0, "movements": longer}))
+    before, after = risorius.figures(file, parameters=["head_yaw"]).rows
+    assert [len(row.panels) for row in (before, after)] == [1, 1]
+    assert "as shown" not in lines(before, 0)
+    assert at(lines(after, 0)["as shown"][0], 8.0) == pytest.approx(9.0)
+    assert (before.title, before.low, before.high) == (after.title, after.low, after.high)
+
+
 def test_settings_override_the_score_s(score: str) -> None:
     settings = risorius.Settings(blend=risorius.BlendChoices(conflict="attenuate"))
     (row,) = risorius.figures(score, parameters=["zygomatic_major.left"], settings=settings).rows

@@ -24,6 +24,8 @@ MOST_ROWS = 6
 _FINEST, _MOST_FRAMES = 200, 4000
 _MOST_ALONE = 8
 """Movements of a parameter up to which each is drawn by itself, too."""
+_LONGEST_BESIDE = 8.0
+"""Seconds up to which what was before and after stand side by side."""
 _LEAST = 1e-3
 _COLOURS: tuple[ChartColour, ...] = (
     (226, 150, 40), (91, 111, 181), (209, 73, 91), (122, 92, 160),
@@ -90,7 +92,8 @@ def score_sheet(
         raise InputError(f"nothing moves from {first:g} to {last:g} s; expected movements to draw")
     if not names:
         chosen = sorted(chosen, key=lambda a: (-round(a.changed, 3), -a.moved))[:MOST_ROWS]
-    return ChartSheet(title, tuple(_row(fine, activity, first, last) for activity in chosen))
+    rows = [_row(fine, activity, first, last) for activity in chosen]
+    return ChartSheet(title, tuple(row for whole in rows for row in _with_room(whole)))
 
 
 def _check_moving(take: Take, names: Sequence[str], within: BoolArray, when: str) -> None:
@@ -143,6 +146,13 @@ def _row(take: Take, activity: Activity, first: float, last: float) -> ChartRow:
     base = activity.name.partition(".")[0]
     title = f"{base} (both sides)" if activity.both_sides else activity.name
     return ChartRow(title, (before, after), first, last, low, high, unit or "activity", take.utterance)
+
+
+def _with_room(row: ChartRow) -> list[ChartRow]:
+    """Return a row, or one for each of its panels if they are too narrow for their span side by side."""
+    if row.end - row.start <= _LONGEST_BESIDE:
+        return [row]
+    return [replace(row, panels=(panel,)) for panel in row.panels]
 
 
 def _channel_line(channel: str, times: Array, values: Array) -> ChartLine:
