@@ -158,14 +158,14 @@ CLAIMS: Mapping[str, Claim] = {
         "2",
         "random blinks by the algorithm of Itti et al.",
         (
-            "test_paper_formulas::random_blinks_of_itti_wait_since_the_last_saccade_or_blink",
+            "test_paper_formulas::random_blinks_of_itti_wait_since_the_last_shift_of_attention_or_blink",
             "channels/test_manipulators::itti_s_blinks_come_10_to_20_times_a_minute_in_silence",
         ),
     ),
     "A21": Claim(
         "2",
         "the settings are the paper's (`--preset paper-a`)",
-        ("settings/test_presets::every_preset_changes_settings_and_says_what_it_is_for",),
+        ("channels/test_paper_speakers::the_presets_of_the_papers_are_complete_and_say_what_stays_ours",),
     ),
     "A22": Claim(
         "2",
@@ -264,8 +264,9 @@ CLAIMS: Mapping[str, Claim] = {
         "3.2.1",
         "individuality and attitude are sets of type and timing",
         (
+            "rules/test_speakers::speakers_differ_in_the_units_and_in_the_times_of_an_accent",
+            "rules/test_speakers::an_ironic_nucleus_raises_one_brow",
             "test_paper_rows::type_and_time_are_two_variables",
-            "rules/test_profiles::four_profiles_and_four_attitudes_ship",
         ),
     ),
     "B4": Claim(
@@ -435,6 +436,7 @@ CLAIMS: Mapping[str, Claim] = {
         "the speaker looks away at the start and at the listener at the end",
         (
             "papers/test_speech::the_eyes_rest_on_the_listener_at_the_end",
+            "channels/test_paper_speakers::paper_b_looks_away_at_every_start_and_toward_the_listener_at_every_end",
             "test_paper_rows::the_speaker_looks_away_first_and_at_the_listener_last",
         ),
     ),
@@ -447,6 +449,7 @@ CLAIMS: Mapping[str, Claim] = {
         "5.2",
         "head and eyes act alike",
         (
+            "channels/test_paper_speakers::paper_b_turns_the_head_with_every_look_away",
             "channels/test_eye_head::gaze_lands_with_the_eyes_and_stays_while_the_head_follows",
             "channels/test_eye_head::eyes_lead_and_the_head_moves_later",
         ),
@@ -530,6 +533,6 @@ CLAIMS: Mapping[str, Claim] = {
     "B36": Claim(
         "5",
         "the settings are the paper's (`--preset paper-b`)",
-        ("settings/test_presets::every_preset_changes_settings_and_says_what_it_is_for",),
+        ("channels/test_paper_speakers::the_presets_of_the_papers_are_complete_and_say_what_stays_ours",),
     ),
 }
