@@ -14,13 +14,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from PIL import Image
 
+from risorius.charts.figures import figures
 from risorius.core.movement import Movement
 from risorius.take import Take
 
 INK, SOFT, GRID = "#22303c", "#8a97a5", "#e3e8ed"
 OURS, PRINTED, SPEECH, SECOND = "#0b7a75", "#d1495b", "#e9a23b", "#5b6fb5"
 DPI = 144
-NEARLY_WHITE = 248
+NEARLY_WHITE = 243
 STYLE = {
     "font.family": "DejaVu Sans", "font.size": 9.0, "text.color": INK,
     "axes.titlesize": 10.0, "axes.titleweight": "bold", "axes.titlelocation": "left", "axes.titlepad": 7.0,
@@ -285,6 +286,12 @@ def demo(path: Path) -> None:
     shrink(path, 256)
 
 
+def paper_a(path: Path) -> None:
+    """Figures 4 to 7 as the command draws them."""
+    figures("paper-a", path)
+    shrink(path, 256)
+
+
 FIGURES: dict[str, Callable[[Path], None]] = {
     "faces": faces,
     "single-movement": single_movement,
@@ -295,4 +302,5 @@ FIGURES: dict[str, Callable[[Path], None]] = {
     "policies": policies,
     "demo-curves": demo_curves,
     "demo": demo,
+    "paper-a": paper_a,
 }

@@ -20,6 +20,9 @@ import numpy.typing as npt
 
 from risorius import blend
 from risorius.api import speak
+from risorius.charts.paper_a import FIGURE_4 as FIGURE_4
+from risorius.charts.paper_a import FIGURE_5 as FIGURE_5
+from risorius.charts.paper_a import FIGURE_6, FUNNELER, ZYGOMATIC
 from risorius.core.functions import ONSET_FUNCTIONS, exponential
 from risorius.core.movement import Movement
 from risorius.core.parameters import INDEX, parameters_named
@@ -36,8 +39,6 @@ PICTURES = ROOT / "docs" / "pictures"
 POLICIES = ("inhibit", "graded", "attenuate", "sum")
 FUNCTIONS = tuple(ONSET_FUNCTIONS)
 
-ZYGOMATIC = "zygomatic_major.left"
-FUNNELER = "orbicularis_oris_funneler"
 PRESSER = "orbicularis_oris_presser"
 RAISER = "levator_labii_superioris"
 
@@ -47,13 +48,6 @@ def display(start: float, end: float, onset: float, offset: float, value: float 
     return Movement("emotion", start, end, onset, offset, {ZYGOMATIC: value})
 
 
-# Paper A, Figure 4: 7 s, of which the onset takes 2 s and the offset 3 s.
-FIGURE_4 = display(0.0, 7.0, 2.0, 3.0)
-# Figure 5: at time 3 the Zygomatic Major is released to the target of the second movement, 0.5.
-FIGURE_5 = (display(0.0, 5.0, 1.5, 2.0), display(3.0, 9.0, 2.0, 2.0, 0.5))
-# Figure 6: the Orbicularis Oris speaks at time 3 and inhibits the Zygomatic Major.
-FIGURE_6_SMILE = display(0.0, 7.0, 1.2, 1.6, 0.9)
-FIGURE_6_SPEECH = Movement("lips", 3.0, 4.2, 0.35, 0.35, {FUNNELER: 0.8})
 # Where the printed formulas break.
 TO_NOTHING = (display(0.0, 5.0, 1.5, 2.0), replace(display(3.0, 9.0, 2.0, 2.0), targets={PRESSER: 0.5}))
 LONG_RELEASE = (display(0.0, 6.0, 1.0, 3.0), display(4.0, 8.0, 0.3, 1.0, 0.4))
@@ -112,10 +106,10 @@ def printed_overlap(first: Movement, second: Movement, times: Array) -> Array:
 
 def figure_6(times: Array) -> dict[str, tuple[Array, Array]]:
     """Return the Zygomatic Major and the Orbicularis Oris, before the combination and after it."""
-    both = (FIGURE_6_SMILE, FIGURE_6_SPEECH)
+    smile, speech = FIGURE_6
     return {
-        "before": (curve(FIGURE_6_SMILE, times), curve(FIGURE_6_SPEECH, times, FUNNELER)),
-        "after": (curve(both, times), curve(both, times, FUNNELER)),
+        "before": (curve(smile, times), curve(speech, times, FUNNELER)),
+        "after": (curve(FIGURE_6, times), curve(FIGURE_6, times, FUNNELER)),
     }
 
 

@@ -16,6 +16,7 @@ import click
 import pytest
 
 from risorius import api
+from risorius.charts import figures as charts
 from risorius.cli import commands, run
 from risorius.live import stream
 from risorius.live.serve import server as live_server
@@ -72,6 +73,9 @@ VALUES: dict[str, list[str]] = {
     "output": ["-o", "z.glb"],
     "explain at": ["--at", "0"],
     "parameter": ["--parameter", "head_yaw"],
+    "parameters": ["--parameter", "head_yaw"],
+    "start": ["--start", "1"],
+    "end": ["--end", "1"],
     "port": ["--port", "1"],
     "no_browser": ["--no-browser"],
     "folder": ["--folder", "x"],
@@ -123,6 +127,7 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[object]:
     Path("own.toml").write_text('light = "dark"\n')
     for name in ("speak", "mix", "play", "pose", "align"):
         monkeypatch.setattr(api, name, watched(name, FakeTake(asked)))
+    monkeypatch.setattr(charts, "figures", watched("figures", None))
     character = SimpleNamespace(shapes={}, missing=(), unused=())
     monkeypatch.setattr(api, "rig", watched("rig", (character, [])))
     monkeypatch.setattr(stream, "send_take", watched("send_take", stream.SendCounts(1, 0)))
@@ -167,6 +172,7 @@ ARGUMENTS = {
     "stream": ["Oh."],
     "rig": ["x.glb", "--perform", "Oh.", "-o", "y.glb"],
     "explain": ["x.performance.json"],
+    "figures": ["x.score.json", "-o", "x.png"],
     "rules list": [],
     "rules show": ["signals.brows.nuclear"],
     "rules doctor": [],
@@ -274,6 +280,7 @@ CHANGING = {
     **dict.fromkeys(("map_file", "perform", "output"), "the character: tests/ports/mesh/test_rig.py"),
     "transcript": "words: tests/speech/test_from_recording.py",
     "parameter": "what explain prints",
+    **dict.fromkeys(("parameters", "start", "end"), "what is drawn: tests/charts"),
     **dict.fromkeys(("presets", "configs"), "settings: tests/settings/test_presets.py"),
     **dict.fromkeys(
         ("shard", "dry_run", "ignore", "sheets"), "which lines are made, and the report: tests/batches"

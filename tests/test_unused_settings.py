@@ -12,7 +12,8 @@ import pytest
 
 import risorius
 from risorius.cli import EXIT_FAULT, run
-from risorius.errors import Place, UnusedSettingError
+from risorius.core.arrays import Array
+from risorius.errors import InputError, Place, UnusedSettingError
 from risorius.ports.formats import format_for
 from risorius.settings import BlendChoices, Look, Settings
 from risorius.unused_settings import chosen, reject_unwritten
@@ -36,8 +37,7 @@ def score(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
 PLANNING = [
     {"voice": "de"}, {"language": "de"}, {"rate": 100}, {"voice_emotion": False}, {"lead": 0.0},
     {"tail": 1.0}, {"articulation": 1.5}, {"manner": "whisper"}, {"lively": False}, {"seed": 4},
-    {"without": ("gaze",)}, {"profile": "lively"}, {"attitudes": ("polite",)}, {"rules": Path("x.toml")},
-    {"blinks": "itti"},
+    {"without": ("gaze",)}, {"profile": "lively"}, {"attitudes": ("polite",)}, {"blinks": "itti"},
 ]  # fmt: skip
 
 
@@ -52,6 +52,58 @@ def test_a_score_refuses_settings_of_voice_and_plan(
                     perform(score, settings=Settings(**setting))  # type: ignore[arg-type]
                 assert refused.value.names == tuple(setting)
                 assert refused.value.place == Place(score)
+
+
+PULLED = "links.zygomatic_major.frontalis_medialis"
+LINK = f'[[entry]]\nid = "{PULLED}"\nvalues = {{ weight = 1.0 }}\nsource = "x"\n'
+NOT_LINKS = {
+    'delete = ["signals.nod"]\n' + LINK: "mine.toml:1:11: delete signals.nod",
+    LINK + '[[entry]]\nid = "lips.phone.AA"\nvalues = {}\nsource = "x"\n': "mine.toml:5:1: lips.phone.AA",
+    '[[habit]]\nid = "head.noise.idle"\nnumbers = {}\nsource = "x"\n': "mine.toml:1:1: habit head.noise.idle",
+}
+
+
+@pytest.mark.parametrize(("text", "told"), NOT_LINKS.items(), ids=["rule", "entry", "habit"])
+def test_a_pose_and_a_score_read_links_alone_of_a_file_of_rules(text: str, told: str, score: str) -> None:
+    Path("mine.toml").write_text(text)
+    settings = Settings(rules="mine.toml")
+    for perform, reader in (
+        (lambda: risorius.pose({"AU4": 1.0}, settings=settings), "a pose"),
+        (lambda: risorius.mix(score, settings=settings), "a score"),
+    ):
+        with pytest.raises(InputError) as refused:
+            perform()
+        assert str(refused.value) == f"{told} has no effect: {reader} reads only [[entry]] links.*"
+
+
+def test_links_of_a_file_of_rules_move_the_skin_of_poses_and_scores(score: str) -> None:
+    """Paper B, section 6.3: the user's table, which a pose shows, and a score."""
+    Path(score).write_text(json.dumps({"risorius": 1, "duration": 1.0, "movements": [GRIN]}))
+    Path("half.toml").write_text(LINK.replace("1.0", "0.5"))
+    Path("whole.toml").write_text(LINK)
+
+    def skin(perform: Callable[[Settings], risorius.Take], rules: str | None) -> Array:
+        take = perform(Settings(rules=rules, dynamics="static"))
+        (face,) = take.faces([len(take.times) // 2])
+        return face.skin.copy()
+
+    for perform in (
+        lambda settings: risorius.pose({"zygomatic_major": 1.0}, settings=settings),
+        lambda settings: risorius.mix(score, settings=settings),
+    ):
+        usual, half, whole = (skin(perform, rules) for rules in (None, "half.toml", "whole.toml"))
+        assert np.abs(whole - usual).max() > 1.5 * np.abs(half - usual).max() > 1e-4
+
+
+@pytest.mark.parametrize(
+    "command", [["pose", "AU4=1", "-o", "y.muscles.csv"], ["mix", "x.score.json", "-o", "y.muscles.csv"]]
+)
+def test_links_have_no_effect_on_curves(
+    command: list[str], score: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    Path("mine.toml").write_text(LINK)
+    assert run([*command, "--rules", "mine.toml"]) == EXIT_FAULT
+    assert "--rules has no effect" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

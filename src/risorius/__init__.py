@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from .blend import Explanation as Explanation
     from .blend import Tally as Tally
     from .blend import Trace as Trace
+    from .charts.figures import figures as figures
+    from .charts.sheet import ChartSheet as ChartSheet
     from .core.movement import Cause as Cause
     from .core.movement import Movement as Movement
     from .core.performance import Performance as Performance
@@ -59,6 +61,7 @@ __all__ = [
     "Audio",
     "BlendChoices",
     "Cause",
+    "ChartSheet",
     "Display",
     "Explanation",
     "FaceFrame",
@@ -88,6 +91,7 @@ __all__ = [
     "Utterance",
     "align",
     "batch",
+    "figures",
     "load",
     "load_settings",
     "mix",
@@ -105,6 +109,8 @@ _MODULES = {
     "batches.library": ("batch", "pipe"),
     "batches.outcome": ("LineResult",),
     "blend": ("Explanation", "Tally", "Trace"),
+    "charts.figures": ("figures",),
+    "charts.sheet": ("ChartSheet",),
     "core.speech.audio": ("Audio",),
     "core.movement": ("Cause", "Movement"),
     "core.performance": ("Performance",),

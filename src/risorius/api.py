@@ -21,7 +21,7 @@ from .ports.output_files import check_targets
 from .ports.score.score_json import read_score_file
 from .rules.emotions import Display, Displays, parse_display
 from .rules.poses import posed
-from .rules.rule_set import emotions_of
+from .rules.rule_set import check_links_alone, emotions_of
 from .settings import BlendChoices, Settings
 from .speech import Input, Recording, align_recording, read, read_transcript
 from .take import Take
@@ -108,7 +108,7 @@ def mix(
     progress: Progress = quiet,
 ) -> Take:
     """Combine the movements of a score file; `conflict`, `onset_function` and the choices of `settings.blend`
-    override the score's own.
+    override the score's own. `settings.rules` may change the links between muscles.
 
     Raises RisoriusError; UnusedSettingError for settings of a voice or a plan, which a score has behind it.
     """
@@ -122,6 +122,7 @@ def _mix(
     """Combine the movements of a score file, after a check of the settings, and of other `arguments`."""
     path = path_of(score)
     reject(settings, SCORE, Place(str(score)), **arguments)
+    check_links_alone(settings.rules, "a score")
     file = read_score_file(path)
     blend = choices.over(settings.blend.over(file.score.settings))
     movements = announced(replace(file.score, settings=blend), settings.fps, progress)
@@ -176,6 +177,7 @@ def play(
 
 def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Settings | None = None) -> Take:
     """Hold one face: values by muscle, action unit, alias or other parameter, and emotions on top.
+    `settings.rules` may change the links between muscles.
 
     Raises RisoriusError.
     """
@@ -187,6 +189,7 @@ def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Sett
         check_number(name, value)
     settings = checked(settings)
     reject(settings, POSE)
+    check_links_alone(settings.rules, "a pose")
     displays = displays_of(emotion, settings)
     if any((display.start, display.end, display.priority) != (None, None, None) for display in displays):
         raise UnusedSettingError(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from .errors import Place, UnusedSettingError
@@ -34,6 +35,7 @@ SCORE = InputKind(
     "a score",
     (Stage.COMBINE, Stage.FRAMES, *SHOWN, Stage.OUTPUT),
     "the movements of a score are planned already; expected only e.g. conflict, fps or head",
+    ("rules",),
 )
 PERFORMANCE = InputKind(
     "a performance",
@@ -61,7 +63,9 @@ SILENCE = InputKind(
     RECORDING.stages,
     "the script has no words; expected no option of a voice",
 )
-POSE = InputKind("a pose", SHOWN, "a pose is one face at rest; expected only head, skin or pictures")
+POSE = InputKind(
+    "a pose", SHOWN, "a pose is one face at rest; expected only head, skin or pictures", ("rules",)
+)
 CHARACTER = InputKind(
     "a character",
     (Stage.HEAD, Stage.SHAPE),
@@ -107,15 +111,20 @@ def chosen(settings: Settings) -> Iterator[str]:
             yield name
 
 
-def reject_unwritten(settings: Settings, formats: Iterable[FileFormat]) -> None:
-    """Raise UnusedSettingError for settings that change none of the files that are written."""
+def reject_unwritten(
+    settings: Settings, formats: Iterable[FileFormat], read_by: Mapping[str, Stage] = MappingProxyType({})
+) -> None:
+    """Raise UnusedSettingError for settings that change none of the files that are written.
+
+    `read_by`: the stage that reads a setting, if it is another one than for a script.
+    """
     formats = tuple(formats)
     stages = {stage for written in formats for need in written.needs for stage in NEEDED[need]}
     names = {name for written in formats for name in written.reads}
-    table = rows(Settings)
-    unused = [n for n in chosen(settings) if n not in names and table[n].entry.stage not in stages]
+    by_stage = {name: read_by.get(name, row.entry.stage) for name, row in rows(Settings).items()}
+    unused = [n for n in chosen(settings) if n not in names and by_stage[n] not in stages]
     if unused:
-        raise UnusedSettingError(unused, UNWRITTEN[table[unused[0]].entry.stage])
+        raise UnusedSettingError(unused, UNWRITTEN[by_stage[unused[0]]])
 
 
 def values_read(settings: Settings, stage: Stage) -> tuple[object, ...]:

@@ -6,6 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from risorius.channels.from_script import inputs_of
 from risorius.core.movement import Cause, Movement
 from risorius.core.speech.utterance import Word
 from risorius.errors import InputError, Place
@@ -20,8 +21,14 @@ PAPER = """<PHONEME time="0" text="Oh really? I like it very much." />
 """  # noqa: W291
 SAID = '<PHONEME text="hi"/>\n'
 BAD = [
-    ("nothing", "", "f:1: the script has no words; expected at least one PHONEME"),
-    ("marks alone", '<BLINK time="0"/>', "f:1: the script has no words"),
+    ("nothing", "", "f:1: the script is empty; expected e.g. <PHONEME"),
+    ("no contents", '<SCRIPT language="de"/>', "f:1: the script is empty"),
+    (
+        "no end",
+        '<EMOTIONDISPLAY happiness="1"/>',
+        "f:1:1: the script has no words and does not say how long it lasts; expected a duration in SCRIPT",
+    ),
+    ("no length", '<SCRIPT duration="0"/>', "f:1:9: duration = '0' is out of range; expected more than 0"),
     ("no text", '<PHONEME time="0"/>', 'f:1:1: PHONEME: text is missing; expected e.g. text="Hello."'),
     ("empty text", '<PHONEME text=" "/>', "f:1:10: the text is empty; expected words to speak"),
     ("no letter", '<PHONEME text="?!"/>', "f:1:10: nothing can be spoken in '?!'"),
@@ -54,6 +61,14 @@ BAD = [
     ),
     ("attribute of speech", '<PHONEME txt="a"/>', "f:1:10: unknown attribute 'txt'; did you mean 'text'?"),
     ("element", "<EMOTIONDISPLY/>", "f:1:1: unknown element 'EMOTIONDISPLY'; did you mean 'EMOTIONDISPLAY'?"),
+    ("root", f"<scene>\n  {SAID}</scene>", "f:1:1: unknown element SCENE; a root is SCRIPT"),
+    ("root around text", "<apml>Hello.</apml>", "f:1:1: unknown element APML; a root is SCRIPT"),
+    (
+        "element within",
+        f"<SCRIPT><act>{SAID}</act></SCRIPT>",
+        "f:1:9: unknown element 'ACT'; expected one of PHONEME",
+    ),
+    ("known element within", f'<BLINK time="1">{SAID}</BLINK>', "f:1:17: PHONEME stands inside BLINK"),
     (
         "languages",
         '<SCRIPT language="en"/>\n<SCRIPT language="de"/>',
@@ -196,3 +211,28 @@ def test_a_performance_lasts_as_long_as_its_marks() -> None:
     assert lasting('<BLINK time="2"/><SIGNAL time="1" end="5"/>') == 5.0
     assert lasting('<BLINK time="2" onset="0.1" end="end"/><SIGNAL time="end-1"/>') == 2.1
     assert lasting('<SIGNAL time="word:1+9"/>') == 9.7
+
+
+@pytest.mark.parametrize(
+    ("text", "lasts"),
+    [
+        ('<SCRIPT duration="6.5"><LISTEN time="0"/></SCRIPT>', 6.5),
+        ('<SCRIPT duration="4"/><EMOTIONDISPLAY happiness="0.8"/>', 4.0),
+        (
+            '<SCRIPT duration="2"><SIGNAL time="end-0.5" end="end"/>'
+            '<BLINK time="3" duration="0.5"/></SCRIPT>',
+            3.5,
+        ),
+        ('<EMOTIONDISPLAY time="0.5" duration="3" sadness="0.8"/>', 3.5),
+        ('<SCRIPT duration="0.4"/>', 0.4),
+    ],
+)
+def test_a_script_without_words_lasts_as_long_as_it_says(text: str, lasts: float) -> None:
+    script = parse_markup(text)
+    assert script.text == ""
+    assert inputs_of(script, None).duration == pytest.approx(lasts)
+
+
+def test_a_script_with_words_lasts_at_least_as_long_as_it_says() -> None:
+    script = parse_markup(f'<SCRIPT duration="4">{SAID}</SCRIPT>')
+    assert (script.lasting((), 1.5), script.lasting((), 6.0)) == (4.0, 6.0)

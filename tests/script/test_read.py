@@ -76,7 +76,7 @@ def test_unreadable_files_are_refused(tmp_path: Path, monkeypatch: pytest.Monkey
         ("a.txt", b"a" * 100_001, "a.txt:1: the text has 100,001 characters; expected at most 100,000"),
         ("a.txt", b"\x7fELF\0\0", "a.txt: is a binary file"),
         ("a.WAV", b"RIFF\0\0", "a.WAV: is a recording; expected it after --audio"),
-        ("a.xml", b"", "a.xml:1: the script has no words"),
+        ("a.xml", b"", "a.xml:1: the script is empty"),
         ("a.xml", b"<A>", "a.xml:1:1: A is not closed"),
         ("a.md", b"hello", "a.md: unknown suffix '.md'; expected one of .txt, .xml"),
         ("a.tx", b"hello", "a.tx: unknown suffix '.tx'; did you mean '.txt'?"),

@@ -7,7 +7,7 @@ from ..rules.emotions import Display
 from ..script import Script, felt_in, listening_in, movements_of
 from .inputs import ChannelInputs
 
-# Seconds that a script without speech lasts at least.
+# Seconds that a script without speech lasts at least, unless it says how long.
 SILENT_DURATION = 1.0
 
 
@@ -18,7 +18,8 @@ def inputs_of(
 
     Who speaks, and in which manner, is as the fields of `ChannelInputs` have it by default.
     """
-    words, spoken = (utterance.words, utterance.duration) if utterance else ((), SILENT_DURATION)
+    words, spoken = utterance.words if utterance else (), script.duration or SILENT_DURATION
+    spoken = utterance.duration if utterance else spoken
     duration = script.lasting(words, spoken)
     marks = movements_of(script, words, duration)
     return ChannelInputs(

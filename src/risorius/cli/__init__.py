@@ -20,6 +20,7 @@ from .align import align
 from .batch import batch
 from .console import EXIT_INTERRUPTED, interrupt
 from .explain import explain
+from .figures import figures
 from .listing import list_
 from .messages import choose_form, send
 from .mix import mix
@@ -120,7 +121,7 @@ SECTIONS = {
     "Perform": (speak, batch, pose, play, mix),
     "Perform live": (stream, serve),
     "Recordings and characters": (align, rig),
-    "Examine and edit": (studio, explain, rules, list_),
+    "Examine and edit": (studio, explain, figures, rules, list_),
 }
 
 

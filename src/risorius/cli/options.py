@@ -151,18 +151,21 @@ def setting_options(
     names: Collection[str] = (),
     *,
     defaults: Mapping[Stage, str] = MappingProxyType({}),
+    words: Mapping[str, str] = MappingProxyType({}),
 ) -> Callable[[F], F]:
     """Return a decorator that gives a command the options of the settings that `stages` read, and `names`.
 
     `defaults`: in words, where settings of a stage come from that are not chosen, if not from their defaults;
     help adds what they are if they are not there either.
+    `words`: the help of settings that mean less to the command than to others.
     """
 
     def decorate(command: F) -> F:
         # Options are listed in the reverse order of their decorators.
         for row in [row for group in Group for row in _rows_in(group)][::-1]:
             if row.flag is not None and (row.entry.stage in stages or row.name in names):
-                command = _option(row, defaults.get(row.entry.stage))(command)
+                said = words.get(row.name, row.entry.help)
+                command = _option(row, said, defaults.get(row.entry.stage))(command)
         return config_option(preset_option(command)) if stages else command
 
     return decorate
@@ -195,14 +198,14 @@ def flag(name: str) -> str:
     return (row.flag if row is not None else None) or f"--{name.replace('_', '-')}"
 
 
-def _option(row: Row, default: str | None) -> Callable[[F], F]:
+def _option(row: Row, said: str, default: str | None) -> Callable[[F], F]:
     about: dict[str, Any] = {"metavar": row.entry.metavar, "type": _type(row)}
     shown = "" if row.is_flag else _shown_default(row, default)
     if row.is_flag:
         about = {"is_flag": True}
     elif row.several:
         about["multiple"] = True
-    words = f"{row.entry.help}  [default: {shown}]" if shown else row.entry.help
+    words = f"{said}  [default: {shown}]" if shown else said
     return option(row.flag or "", row.name, group=str(row.entry.group), help=words, **about)
 
 
@@ -262,6 +265,7 @@ output_option = option(
     "standard output. May be given several times.",
 )
 rules_option = setting_options(names=("rules",))
+LINKS_ALONE = {"rules": "A file of rules that changes links between muscles alone: [[entry]] links.*"}
 emotion_option = option(
     "--emotion",
     "emotions",
@@ -275,10 +279,13 @@ emotion_option = option(
 
 
 def check_outputs(
-    outputs: Collection[Path], settings: Settings | None = None, available: Collection[str] | None = None
+    outputs: Collection[Path],
+    settings: Settings | None = None,
+    available: Collection[str] | None = None,
+    read_by: Mapping[str, Stage] = MappingProxyType({}),
 ) -> None:
     """Raise RisoriusError for outputs that cannot be made of the `available` stages, and for settings that
-    change none of them.
+    change none of them; `read_by` as `reject_unwritten` has it.
     """
     from ..ports.formats import Need
     from ..ports.output_files import check_targets
@@ -287,4 +294,4 @@ def check_outputs(
     alpha = settings is not None and settings.look.transparent
     targets = check_targets(outputs, tuple(Need) if available is None else available, alpha=alpha)
     if settings is not None:
-        reject_unwritten(settings, [target.format for target in targets])
+        reject_unwritten(settings, [target.format for target in targets], read_by)

@@ -12,6 +12,7 @@ from ..errors import InputError, OutputError
 from ..settings.declare import Stage
 from .console import Console
 from .options import (
+    LINKS_ALONE,
     Command,
     Named,
     check_outputs,
@@ -30,7 +31,9 @@ WITHOUT_SPEECH = ("movements", "curves", "vertices", "pixels", "head")
 @click.argument("targets", nargs=-1, metavar="NAME=VALUE …", type=Named(TARGETS, after="="))
 @emotion_option
 @output_option
-@setting_options((Stage.HEAD, Stage.SHAPE, Stage.SKIN, Stage.APPEARANCE, Stage.PICTURE))
+@setting_options(
+    (Stage.HEAD, Stage.SHAPE, Stage.SKIN, Stage.APPEARANCE, Stage.PICTURE), ("rules",), words=LINKS_ALONE
+)
 def pose(
     targets: tuple[str, ...], emotions: tuple[str, ...], outputs: tuple[Path, ...], **chosen: Any
 ) -> None:
@@ -44,7 +47,7 @@ def pose(
         raise OutputError("no output named; expected -o face.png")
     settings = settings_from(chosen)
     with Console() as console, written(console, outputs) as files:
-        check_outputs(files, settings, WITHOUT_SPEECH)
+        check_outputs(files, settings, WITHOUT_SPEECH, {"rules": Stage.SKIN})
         take = hold(_assignments(targets), emotion=emotions, settings=settings)
         take.write(*files)
 

@@ -59,13 +59,13 @@ class Emotion:
     """
 
     name: str
-    aliases: tuple[str, ...]
     description: str
     source: str
     onset: RiseSeconds
     offset: RiseSeconds
     units: Mapping[str, float] = field(metadata={"key": "targets"})
     emblem: Emblem
+    aliases: tuple[str, ...] = ()
     modulation: Modulation = field(default_factory=Modulation)
     degrees: Mapping[str, Degrees] = field(default_factory=FrozenDict)
     apex: Seconds = HAND_APEX
@@ -233,7 +233,6 @@ def emotion_text(name: str, units: Mapping[str, float]) -> str:
     return written(
         {
             "name": name,
-            "aliases": [],
             "description": f"{name}, set by hand.",
             "source": "by hand",
             "onset": HAND_ONSET,

@@ -20,7 +20,7 @@ from .load import DATA
 from .modulation import is_under
 from .profiles import NEUTRAL, attitudes, profile, profiles
 from .rule import Rule
-from .tables import TableChanges, TableEntry, check, deleted_entries
+from .tables import TableChanges, TableEntry, check, deleted_entries, is_link
 
 FOLDER = "rules"
 _RULE = re.compile(r"^\[\[\s*rule\s*\]\][^\n]*\n", re.MULTILINE)
@@ -90,6 +90,24 @@ def rule_names() -> dict[str, str]:
 def rule_set_of(path: Path | None) -> RuleSet:
     """Return the package's rules as a user's file changes them; raise InputError if it cannot be used."""
     return shipped() if path is None else extended(shipped(), read_text(path), str(path))
+
+
+def check_links_alone(path: Path | None, reader: str) -> None:
+    """Raise InputError, with its place, if a user's file changes more than the links between muscles.
+
+    `reader`: what reads the file, for the message. Also raises as `rule_set_of`.
+    """
+    if path is None:
+        return
+    text = read_text(path)
+    extended(shipped(), text, str(path))
+    file, source = parse(RuleFile, text, str(path)), SourceText(str(path), text)
+    others = [(("rule", i), f"rule {rule.id}") for i, rule in enumerate(file.rule)]
+    others += [(("habit", i), f"habit {habit.id}") for i, habit in enumerate(file.habit)]
+    others += [(("entry", i), entry.id) for i, entry in enumerate(file.entry) if not is_link(entry.id)]
+    others += [(("delete", i), f"delete {name}") for i, name in enumerate(file.delete) if not is_link(name)]
+    for where, what in others:
+        raise source.error(where, f"{what} has no effect: {reader} reads only [[entry]] links.*")
 
 
 @contextmanager

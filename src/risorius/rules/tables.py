@@ -92,6 +92,11 @@ def path(name: str) -> tuple[str, ...]:
     raise InputError(f"there is no entry with the id '{name}'; expected e.g. {known}")
 
 
+def is_link(name: str) -> bool:
+    """Tell whether an entry's id, or the beginning of one, is that of links between muscles."""
+    return name.partition(".")[0] == LINKS
+
+
 def deleted_entries(prefixes: Iterable[str]) -> frozenset[str]:
     """Return the entries whose ids are one of the prefixes, or begin with one up to a dot."""
     lips = read_tables(lip_table_text(), LIPS_FILE)
@@ -141,7 +146,7 @@ def _new_emotion(name: str, entry: TableEntry) -> dict[str, Any]:
     targets = entry.values.get("targets", {})
     emblem = {"onset": 0.25, "offset": 0.35, "duration": 1.0, "targets": targets}
     return {
-        "name": name, "aliases": [], "description": entry.comment or name, "source": entry.source,
+        "name": name, "description": entry.comment or name, "source": entry.source,
         "onset": HAND_ONSET, "offset": HAND_OFFSET, "emblem": emblem,
     }  # fmt: skip
 

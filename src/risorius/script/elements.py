@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
+from collections.abc import Collection
 from dataclasses import dataclass
 from xml.parsers import expat
 
-from ..errors import InputError, Place
+from ..errors import InputError, ParameterError, Place, unknown
 from ..reading.depth import MAX_DEPTH, TOO_DEEP
 from .quote import one_line, quoted
 
@@ -48,13 +49,19 @@ class Element:
     place: Place
 
 
-def read_elements(text: str, source: str) -> list[Element]:
+def read_elements(text: str, source: str, known: Collection[str] = ()) -> list[Element]:
     """Return all elements of the markup `text` in their order.
 
     Raises InputError with its place for what is not well-formed, nested, or not an element; for document
-    types and entities; and for more than MAX_BYTES.
+    types and entities; and for more than MAX_BYTES. Raises ParameterError for an element that is not one of
+    the `known` ones, if any are named, and holds something.
     """
-    return _ElementReader(text.replace("\r\n", "\n").replace("\r", "\n"), source).read()
+    return _ElementReader(text.replace("\r\n", "\n").replace("\r", "\n"), source, known).read()
+
+
+def unknown_element(element: Element, known: Collection[str]) -> ParameterError:
+    """Return the error for an element that the markup does not know."""
+    return ParameterError(unknown("element", one_line(element.name), known), element.place)
 
 
 class XmlReader:
@@ -169,8 +176,9 @@ class XmlReader:
 class _ElementReader(XmlReader):
     """Collects a flat list of elements; only CONTAINER may hold others."""
 
-    def __init__(self, text: str, source: str) -> None:
+    def __init__(self, text: str, source: str, known: Collection[str]) -> None:
         super().__init__(text, source)
+        self._known = known
         self.elements: list[Element] = []
 
     def read(self) -> list[Element]:
@@ -182,11 +190,20 @@ class _ElementReader(XmlReader):
         if self.parser.CurrentByteIndex == 0:
             return
         element = self._element(name.upper(), values)
+        self._check_outer()
         if self.open and not (self.open[-1].name == CONTAINER and element.name != CONTAINER):
             outer = self.open[-1].name
             raise InputError(f"{one_line(name)} stands inside {outer}; expected it after", element.place)
         self.open.append(element)
         self.elements.append(element)
+
+    def _check_outer(self) -> None:
+        """Raise ParameterError if what is open, and holds something, is an element that nobody knows."""
+        if self.open and self._known and self.open[-1].name not in self._known:
+            if len(self.open) > 1:
+                raise unknown_element(self.open[-1], self._known)
+            name = one_line(self.open[-1].name)
+            raise ParameterError(f"unknown element {name}; a root is {CONTAINER}", self.open[-1].place)
 
     def _end(self, name: str) -> None:
         if self.open:
@@ -195,6 +212,7 @@ class _ElementReader(XmlReader):
     def _characters(self, data: str) -> None:
         bare = data.strip()
         if bare:
+            self._check_outer()
             index = self._index(self.parser.CurrentByteIndex) + len(data) - len(data.lstrip())
             raise InputError(
                 f"{quoted(bare)} stands outside elements; expected {EXAMPLE}", self._place(index)

@@ -1,12 +1,18 @@
-"""Paper A's markup (section 2): spoken lines and shown marks, each element with its time."""
+"""Paper A's markup (section 2): spoken lines and shown marks, each element with its time.
+
+A script need not say anything: a listener, or a smile in silence, lasts as long as `duration` or a mark says.
+"""
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from ..core.units import MAX_SECONDS
-from ..errors import InputError, ParameterError, Place, unknown
+from ..errors import InputError, Place
+from .anchor import Base
 from .apart import check_apart
 from .attributes import Attributes
-from .elements import CONTAINER, Attribute, read_elements
+from .elements import CONTAINER, EXAMPLE, Attribute, read_elements, unknown_element
 from .marks import ELEMENTS, marks_of
 from .model import Mark, Script, SpokenLine, script_of
 from .notation import read_brackets, read_tune, write_out
@@ -26,7 +32,8 @@ def parse_markup(text: str, source: str = "text") -> Script:
     latest: float | None = None
     marks: list[Mark] = []
     language: str | None = None
-    for element in read_elements(text, source):
+    duration: float | None = None
+    for element in read_elements(text, source, KNOWN):
         attributes = Attributes(element)
         if element.name == SPOKEN:
             lines.append(_line(attributes, latest))
@@ -34,12 +41,14 @@ def parse_markup(text: str, source: str = "text") -> Script:
         elif element.name in ELEMENTS:
             marks.extend(marks_of(attributes))
         elif element.name == CONTAINER:
+            duration = max(duration or 0.0, attributes.duration("duration") or 0.0) or None
             language = _language(attributes, language)
         else:
-            raise ParameterError(unknown("element", one_line(element.name), KNOWN), element.place)
-    _check_spoken(lines, source)
+            raise unknown_element(element, KNOWN)
+    _check_length(lines, marks, duration, source)
     check_apart((mark, mark.start) for mark in marks)
-    return script_of(tuple(lines), tuple(marks), timed=True, source=source, language=language)
+    script = script_of(tuple(lines), tuple(marks), timed=True, source=source, language=language)
+    return replace(script, duration=duration or 0.0)
 
 
 def _line(attributes: Attributes, latest: float | None) -> SpokenLine:
@@ -79,7 +88,15 @@ def _language(attributes: Attributes, before: str | None) -> str | None:
     return language
 
 
-def _check_spoken(lines: list[SpokenLine], source: str) -> None:
-    if not lines:
-        raise InputError(f"the script has no words; expected at least one {SPOKEN}", Place(source, 1))
-    check_length(sum(len(line.text) for line in lines), lines[-1].place)
+def _check_length(lines: list[SpokenLine], marks: list[Mark], duration: float | None, source: str) -> None:
+    """Raise InputError if there is nothing to perform, or nothing says how long it lasts."""
+    if lines:
+        check_length(sum(len(line.text) for line in lines), lines[-1].place)
+    elif not marks and duration is None:
+        raise InputError(f"the script is empty; expected e.g. {EXAMPLE}", Place(source, 1))
+    elif duration is None and all(mark.end.base is Base.END for mark in marks):
+        raise InputError(
+            f"the script has no words and does not say how long it lasts; expected a duration in "
+            f"{CONTAINER} or here",
+            marks[0].place,
+        )

@@ -81,7 +81,8 @@ class Script:
     """The words to speak, line by line, and the marks.
 
     `text`: all lines, joined by line ends. `timed`: times are absolute, without lead or tail (markup).
-    `source`: the file's name. `language`: None if the source does not say.
+    `source`: the file's name. `language`: None if the source does not say. `duration`: how many seconds the
+    performance lasts at least.
     """
 
     text: str
@@ -90,13 +91,14 @@ class Script:
     timed: bool = False
     source: str = "text"
     language: str | None = None
+    duration: float = 0.0
 
     def lasting(self, words: Sequence[Word], spoken: float) -> float:
         """Return how many seconds the performance lasts at least; `words` fill `spoken` seconds.
 
         A mark that holds to the end has time to appear. Raises InputError for a word that does not exist.
         """
-        moments = [spoken]
+        moments = [spoken, self.duration]
         for mark in self.marks:
             for anchor, more in ((mark.start, mark.onset or SHORTEST_HOLD), (mark.end, 0.0)):
                 if anchor.base is not Base.END:

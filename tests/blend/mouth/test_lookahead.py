@@ -7,12 +7,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import risorius
+from risorius import BlendChoices, Settings
 from risorius.blend.mouth.coarticulation import LIP_MODELS, Coarticulation, without_gaps
-from risorius.blend.mouth.lookahead import OPPOSED, LookAheadModel
+from risorius.blend.mouth.lookahead import NARROWEST, OPPOSED, SPOILED, WIDEST, LookAheadModel
 from risorius.core.movement import Dominance, LipSegment
 from tests.profiles import examples
 
-WIDTH, GAP = "lip_width", "lip_aperture"
+WIDTH, PROTRUSION, CORNERS, GAP = "lip_width", "lip_protrusion", "lip_corners", "lip_aperture"
 ROUND = {WIDTH: -12.0, GAP: 3.0}
 SPREAD = {WIDTH: 2.0, GAP: 4.0}
 OPEN = {GAP: 10.0}
@@ -106,9 +108,85 @@ def test_fewer_clusters_stay_distinct_in_fast_speech() -> None:
 
 
 def test_opposite_postures_are_scaled() -> None:
-    spread, rounded = {WIDTH: 4.0}, {WIDTH: -4.0}
-    found = posture([vowel(0.0, 0.2, spread), vowel(0.2, 0.4, rounded), vowel(0.4, 0.6, rounded)])
+    lifted, lowered = {CORNERS: 4.0}, {CORNERS: -4.0}
+    found = posture([vowel(0.0, 0.2, lifted), vowel(0.2, 0.4, lowered), vowel(0.4, 0.6, lowered)], CORNERS)
     assert found == pytest.approx([4.0 * (1 - OPPOSED / 2), -4.0 * (1 - OPPOSED / 2), -4.0])
+
+
+def rounded(*order: dict[str, float] | None) -> list[list[float]]:
+    """Return width and protrusion, by phone, as shares of their own; None is a silence."""
+    found, given = [], []
+    for number, targets in enumerate(order):
+        if targets is not None:
+            found.append(vowel(0.2 * number, 0.2 * (number + 1), targets))
+            given.append(targets)
+    model = LookAheadModel(without_gaps(found))
+    spoken = [index for index, silent in enumerate(model._silent) if not silent]
+    return [
+        [
+            float(model.targets(name)[i]) / own[name]
+            for i, own in zip(spoken, given, strict=True)
+            if name in own
+        ]
+        for name in (WIDTH, PROTRUSION)
+    ]
+
+
+OO, EE = {WIDTH: -NARROWEST, PROTRUSION: 3.4}, {WIDTH: WIDEST}
+LAX_OO, LAX_EE = {WIDTH: -7.4, PROTRUSION: 1.6}, {WIDTH: 0.8}
+KEPT = {GAP: 3.0}
+
+
+def test_a_rounded_action_between_two_spread_ones_loses_in_width_and_protrusion() -> None:
+    """Paper B, section 4.3: consecutive actions change each other's intensity."""
+    both, one = 1.0 - SPOILED, 1.0 - SPOILED / 2
+    assert rounded(EE, OO, EE)[1] == pytest.approx([both])
+    assert rounded(EE, OO)[1] == rounded(OO, EE)[1] == pytest.approx([one])
+    assert rounded(OO)[1] == pytest.approx([1.0])
+    assert rounded(EE, OO, EE)[0] == pytest.approx([one, both, one])
+    # Of a long vowel of two shapes, both are one action, and so is what opposes it.
+    assert rounded(LAX_EE, EE, LAX_OO, OO, LAX_EE, EE)[1] == pytest.approx([both, both])
+
+
+def test_a_silence_or_lips_at_rest_keep_actions_apart() -> None:
+    assert rounded(EE, None, OO, None, EE)[1] == pytest.approx([1.0])
+    assert rounded(EE, KEPT, OO, KEPT, EE)[1] == pytest.approx([1.0])
+
+
+@pytest.mark.parametrize("rate", [110, None, 250])
+@pytest.mark.parametrize(
+    ("beside", "alone"), [("he who he", "who"), ("we do see", "do"), ("he knew he", "knew")]
+)
+def test_oo_between_two_ees_protrudes_less_than_alone(beside: str, alone: str, rate: int | None) -> None:
+    """At least 15 % less, on the curves."""
+
+    def protrusion(text: str) -> float:
+        settings = Settings(fps=100, lively=False, rate=rate, blend=BlendChoices(lips="lookahead"))
+        take = risorius.speak(text, text=True, settings=settings)
+        assert take.utterance is not None
+        phone = next(p for p in take.utterance.phones if p.symbol == "UW")
+        times = (take.times >= phone.start) & (take.times <= phone.end)
+        return float(take.curves["orbicularis_oris_funneler"][times].max())
+
+    assert protrusion(beside) <= 0.85 * protrusion(alone)
+
+
+@pytest.mark.parametrize("text", ["loose", "a spruce moose", "a juice"])
+def test_an_s_is_round_after_its_vowel_from_nine_phones_a_second_on(text: str) -> None:
+    """Paper B, section 5.2: which phones share a shape depends on the rate; `lips.toml` gives it for /s/."""
+
+    def share(rate: int) -> float:
+        settings = Settings(fps=100, lively=False, rate=rate, blend=BlendChoices(lips="lookahead"))
+        take = risorius.speak(text, text=True, settings=settings)
+        assert take.utterance is not None
+        *_, vowel, s, _ = take.utterance.phones
+        assert (vowel.symbol, s.symbol) == ("UW", "S")
+        curve = take.curves["orbicularis_oris_funneler"]
+        middle = curve[round(50.0 * (s.start + s.end))]
+        return float(middle / curve[round(50.0 * (vowel.start + vowel.end))])
+
+    assert share(80) < 0.2
+    assert share(175) > 0.6
 
 
 def test_a_posture_remains_where_there_is_no_time_for_the_next() -> None:

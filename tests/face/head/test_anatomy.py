@@ -11,7 +11,7 @@ import pytest
 from risorius.errors import HeadError
 from risorius.face.head.anatomy import FILE, Skin, anatomical_fields, from_line, load_pulls
 from risorius.face.head.head import load_head, required_fields, shipped_heads
-from risorius.face.head.muscle_table import load_muscles
+from risorius.face.head.muscle_table import Force, load_muscles
 from risorius.face.solve import FaceSolver
 from tests.profiles import everyday
 
@@ -140,6 +140,71 @@ def test_types_lines_and_zones_of_a_table_act(head, tmp_path, old, new):
     assert np.linalg.norm(after - before, axis=1).max() > 0.5
     same = (dense(h, h.fields["mentalis.left"]) for h in (usual, changed))
     np.testing.assert_array_equal(*same)
+
+
+UPPER = Force("sheet", ((24.0, 28.0, 20.0), (23.0, -64.0, 15.0)), 12.0, 3.0)
+OUTWARD = Force("bulge", ((50.0, -30.0, -8.0), (23.0, -64.0, 15.0)), 15.0, 2.0)
+ROUND = Force("sphincter", ((33.0, -5.0, 15.0), (45.0, -5.0, 10.0)), 16.0, 1.5)
+
+
+@pytest.mark.parametrize("forces", [(UPPER,), (OUTWARD,), (ROUND,), (UPPER, OUTWARD, ROUND)])
+def test_a_muscle_gathers_forces_of_several_lines_and_types(head, fields, forces):
+    """Paper B, section 6.1: each moves the skin by its own; together they add up."""
+    skin = Skin(head.rest, head.quads, head.jaw_weight)
+    muscles, pulls = load_muscles(head.folder), load_pulls(head.folder, ("zygomatic_major",))
+    names = ("zygomatic_major.left", "zygomatic_major.right")
+
+    def moved(gathered):
+        table = {"zygomatic_major": replace(muscles["zygomatic_major"], gathered=gathered)}
+        found = anatomical_fields(skin, head.mirror, table, pulls, names)
+        return [dense(head, found[name]) for name in names]
+
+    own, right = moved(())
+    np.testing.assert_array_equal(own, dense(head, fields[names[0]]))
+    added, mirrored = moved(forces)
+    alone = [moved((force,))[0] - own for force in forces]
+    # Small displacements are left out of a field, so that sums differ by as much.
+    np.testing.assert_allclose(added - own, sum(alone), atol=0.1)
+    for force, field in zip(forces, alone, strict=True):
+        assert np.linalg.norm(field, axis=1).max() == pytest.approx(force.moves, abs=0.1)
+    np.testing.assert_allclose(mirrored[head.mirror] * [-1.0, 1.0, 1.0], added, atol=0.06)
+    assert np.abs(mirrored - right).max() > 0.5
+
+
+def test_each_type_of_a_gathered_force_moves_the_skin_its_way(head):
+    skin = Skin(head.rest, head.quads, head.jaw_weight)
+    row, pull = load_muscles(head.folder)["mentalis"], load_pulls(head.folder, ("mentalis",))["mentalis"]
+    origin, end = np.array([30.0, -20.0, 18.0]), np.array([30.0, -45.0, 18.0])
+    own = skin.displaced(row, pull)
+    middle = np.linalg.norm(head.rest - (origin + end) / 2.0, axis=1).argmin()
+    for kind, direction in {
+        "linear": (0, 1, 0), "sheet": (0, 1, 0), "protrusion": (0, -1, 0), "bulge": (0, 1, 1),
+        "sphincter": (0, 1, 0), "rotation": (0, 0, 1),
+    }.items():  # fmt: skip
+        force = Force(kind, (tuple(origin), tuple(end)), 20.0, 2.0)
+        way = (skin.displaced(replace(row, gathered=(force,)), pull) - own)[middle]
+        assert abs(way @ direction) > 0.8 * np.linalg.norm(way) * np.linalg.norm(direction) > 0.0, kind
+
+
+def test_a_gathered_force_off_the_skin_is_named(head):
+    skin = Skin(head.rest, head.quads, head.jaw_weight)
+    muscles, pulls = load_muscles(head.folder), load_pulls(head.folder, ("mentalis",))
+    far = Force("linear", ((500.0, 0.0, 0.0), (510.0, 0.0, 0.0)), 5.0, 1.0)
+    muscles["mentalis"] = replace(muscles["mentalis"], gathered=(far,))
+    with pytest.raises(HeadError, match=r"muscles\.toml: muscle 'mentalis': no skin lies within 5 mm"):
+        anatomical_fields(skin, head.mirror, muscles, pulls, ("mentalis.left",))
+
+
+def test_gathered_forces_of_a_table_act(head, tmp_path):
+    for file in head.folder.glob("*.*"):
+        if file.name in {"head.npz", "muscles.toml", "identity.toml"}:
+            shutil.copy(file, tmp_path)
+    table = tmp_path / "muscles.toml"
+    force = '{ type = "sheet", line = [[24.0, 28.0, 20.0], [23.0, -64.0, 15.0]], zone = 12.0, moves = 3.0 }'
+    table.write_text(table.read_text().replace("[mentalis]\n", f"[mentalis]\ngathered = [{force}]\n", 1))
+    usual, changed = load_head(muscles="lines"), load_head(tmp_path, muscles="lines")
+    before, after = (dense(h, h.fields["mentalis.left"]) for h in (usual, changed))
+    assert np.linalg.norm(after - before, axis=1).max() == pytest.approx(3.0, abs=0.1)
 
 
 def test_a_head_that_lacks_one_field_only_is_refused(head, tmp_path):

@@ -360,3 +360,10 @@ def test_the_take_follows_an_edge_that_is_moved_by_hand(session, spoken):
     assert len(spoken) == 2  # a voice for each text
     with pytest.raises(RisoriusError, match="there is no edge"):
         session.relabel(requests.Relabel(0, 0.2), quiet)
+
+
+def test_a_script_without_words_is_performed(session):
+    silent = '<SCRIPT duration="4"><LISTEN time="0"/></SCRIPT>'
+    answer = perform(session, silent, format="xml")
+    assert answer.speech is None
+    assert answer.duration == 4.0

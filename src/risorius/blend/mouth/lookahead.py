@@ -6,8 +6,11 @@ Three rules give every segment its posture T[s] of each articulator, and when it
    takes the posture of the next segment that does not yield it, if no silence comes first, else of the last
    such segment before it. So lips round for a vowel as soon as no segment before it needs another shape. The
    segments that yield follow the clusters of Jeffers and Barley (1971): in fast speech fewer stay distinct.
-2. Geometric constraint. If an articulator goes from one side of rest to the other (a pucker after a spread),
-   each posture is scaled by 1 − OPPOSED·o/(|T[s]| + o), with o the larger opposite neighbour.
+2. Geometric constraint. If an articulator goes from one side of rest to the other, each posture is scaled by
+   1 − OPPOSED·o/(|T[s]| + o), with o the larger opposite neighbour. Lips that round beside lips that spread
+   are one action against another, each of one phone or several, whatever its articulators: width and
+   protrusion are scaled by 1 − SPOILED·(o₁ + o₂)/2, with o₁ and o₂ the width of the actions before and after
+   as a share of /i/'s or /u/'s, at most 1, and 0 if a silence or lips at rest come first.
 3. Temporal constraint. From one posture to the next an articulator needs as long as its muscle needs to
    contract (if |T| grows) or to relax: D, the minimum onset or offset of the parameter table, and longer for
    a long way, so that it is never faster than `FASTEST`. The step S[s](t) rises by minimum jerk over D around
@@ -27,7 +30,7 @@ import numpy as np
 
 from ...core.arrays import Array, BoolArray, IndexArray
 from ...core.functions import minimum_jerk
-from ...core.lips.articulators import APERTURE, ARTICULATORS, leader
+from ...core.lips.articulators import APERTURE, ARTICULATORS, PROTRUSION, WIDTH, leader
 from ...core.movement import LipSegment
 from ...core.parameters import BASES, INDEX, PARAMETERS, Parameter
 from ...core.speech.utterance import SILENCE
@@ -42,6 +45,10 @@ from .coarticulation import (
 
 OPPOSED = 0.3
 """Twice the share of a posture that an equal and opposite neighbour takes away."""
+SPOILED = 0.24
+"""The share of rounded or spread lips that opposite actions on both sides take away."""
+WIDEST, NARROWEST = 1.5, 12.0
+"""mm: how much wider than at rest the mouth is in /i/, and how much narrower in /u/."""
 FASTEST = 160.0
 """mm/s at the peak of a step; the speeds of two close steps add up. People reach 150 to 310."""
 _PEAK = 1.875
@@ -82,12 +89,20 @@ class LookAheadModel:
     def targets(self, parameter: str) -> Array:
         """Return each segment's posture after rules 1 and 2, shape (segments,)."""
         if parameter not in self._targets:
-            own = self._aims.column(parameter, 0.0)
-            yields_from = self._yields.column(parameter, np.nan)
-            yields_from = np.where(np.isnan(yields_from), self._yields.column("*", np.inf), yields_from)
-            source = _sources(~self._silent & (self._rate >= yields_from), self._silent)
-            self._targets[parameter] = _opposed(own[source])
+            posture = self._ahead(parameter)
+            if parameter in (WIDTH, PROTRUSION):
+                scale = _rounding_left(self._ahead(WIDTH), self._silent)
+            else:
+                scale = _opposition_left(posture)
+            self._targets[parameter] = posture * scale
         return self._targets[parameter]
+
+    def _ahead(self, parameter: str) -> Array:
+        """Return each segment's posture after rule 1, shape (segments,)."""
+        own = self._aims.column(parameter, 0.0)
+        yields_from = self._yields.column(parameter, np.nan)
+        yields_from = np.where(np.isnan(yields_from), self._yields.column("*", np.inf), yields_from)
+        return own[_sources(~self._silent & (self._rate >= yields_from), self._silent)]
 
     def weights(self, group: int, times: Array) -> SegmentWeights:
         """Return the weight of each segment at sorted times."""
@@ -157,13 +172,27 @@ def _sources(yields: BoolArray, silent: BoolArray) -> IndexArray:
     return np.where(silent[after], count, after)
 
 
-def _opposed(posture: Array) -> Array:
-    """Return the postures scaled by rule 2."""
+def _opposition_left(posture: Array) -> Array:
+    """Return the factor of each posture by rule 2, but for width and protrusion."""
     around = np.stack([np.append(0.0, posture[:-1]), np.append(posture[1:], 0.0)])
     opposite = np.maximum(-around * np.sign(posture), 0.0).max(axis=0)
     total = np.abs(posture) + opposite
     share = np.divide(opposite, total, out=np.zeros(len(posture)), where=total > 0.0)
-    return np.asarray(posture * (1.0 - OPPOSED * share))
+    return np.asarray(1.0 - OPPOSED * share)
+
+
+def _rounding_left(width: Array, silent: BoolArray) -> Array:
+    """Return the factor of each segment's width and protrusion by rule 2.
+
+    Segments in a row on one side of rest are one action: as wide or narrow as the most of them.
+    """
+    side = np.where(silent, 0.0, np.sign(width))
+    first = np.flatnonzero(np.diff(side, prepend=np.nan))
+    size = np.maximum.reduceat(np.abs(width), first) / np.where(side[first] > 0.0, WIDEST, NARROWEST)
+    action = side[first] * np.minimum(size, 1.0)
+    around = np.stack([np.append(0.0, action[:-1]), np.append(action[1:], 0.0)])
+    opposite = np.maximum(-around * np.sign(action), 0.0).mean(axis=0)
+    return np.repeat(1.0 - SPOILED * opposite, np.diff(np.append(first, len(width))))
 
 
 def _step(times: Array, start: Array, end: Array) -> Array:

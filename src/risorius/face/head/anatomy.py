@@ -23,7 +23,7 @@ from ...machine.npz import read_arrays
 from ..numerics.quads import quad_normals
 from ..numerics.stiffness import spring_stiffness
 from .muscle_table import FILE as TABLE
-from .muscle_table import ForceType, Muscle
+from .muscle_table import Force, ForceType, Muscle
 
 FILE = "anatomy.npz"
 REACH = 5.5  # mm over which the weights vary
@@ -67,11 +67,26 @@ class Skin:
         return splu(stiffness, permc_spec="MMD_AT_PLUS_A", options=symmetric, diag_pivot_thresh=0.0)
 
     def displaced(self, muscle: Muscle, pull: Pull) -> Array:
-        """Return the displacement (N, 3) in mm of the left muscle (or the only one) at activation 1."""
+        """Return the displacement (N, 3) in mm of the left muscle (or the only one) at activation 1.
+
+        Raises HeadError if the zone of a gathered force holds no skin.
+        """
         share = influence(self.places, pull.places) @ pull.weights
         share *= _within(muscle, self.rest)[:, None]
         force = np.einsum("nd,ndc->nc", share, directions(muscle, self.rest, self.normals))
-        return np.asarray(self.network.solve(force))
+        return np.asarray(self.network.solve(force) + sum(map(self._displaced_by, muscle.gathered)))
+
+    def _displaced_by(self, force: Force) -> Array:
+        """Return the displacement (N, 3) in mm by a gathered force, which is weaker away from its line."""
+        ways = directions(force, self.rest, self.normals)
+        way = _unit(ways[:, 0] + ways[:, 1]) if force.type == "bulge" else ways[:, 0]
+        strength = np.clip(1.0 - (from_line(force, self.rest) / max(force.zone, 1e-9)) ** 2, 0.0, 1.0)
+        if not strength.any():
+            raise HeadError(
+                f"no skin lies within {force.zone:g} mm of the line {force.line}; expected a larger zone"
+            )
+        field = self.network.solve(strength[:, None] * way)
+        return np.asarray(field * (force.moves / np.linalg.norm(field, axis=1).max()))
 
 
 def influence(points: Array, places: Array) -> Array:
@@ -79,7 +94,7 @@ def influence(points: Array, places: Array) -> Array:
     return np.asarray(np.exp(-0.5 * (cdist(points, places) / REACH) ** 2))
 
 
-def directions(muscle: Muscle, points: Array, normals: Array) -> Array:
+def directions(muscle: Muscle | Force, points: Array, normals: Array) -> Array:
     """Return the unit directions (n, d, 3) in which a muscle's type pulls `points` (n, 3).
 
     The last direction lies in the skin, across the others: fibres fan out and gather the skin beside them.
@@ -100,7 +115,7 @@ def directions(muscle: Muscle, points: Array, normals: Array) -> Array:
     return np.stack([*ways, _unit(np.cross(normals, ways[0]))], axis=1)
 
 
-def from_line(muscle: Muscle, points: Array) -> Array:
+def from_line(muscle: Muscle | Force, points: Array) -> Array:
     """Return the distances (n,) in mm of `points` (n, 3) from a muscle's line of pull."""
     start, end = (np.array(p) for p in muscle.line)
     share = np.clip((points - start) @ (end - start) / ((end - start) @ (end - start)), 0.0, 1.0)
@@ -123,13 +138,17 @@ def anatomical_fields(
     """Return vertices (k,) and displacements (k, 3) in mm at activation 1 for parameters by name.
 
     `mirror` (N,) is the index of each vertex's mirror image; a right muscle mirrors the left one. Raises
-    HeadError if a muscle's type pulls in more or fewer directions than its weights are for.
+    HeadError if a muscle's type pulls in more or fewer directions than its weights are for, or if the zone of
+    a gathered force holds no skin.
     """
     fields = {}
     for name in names:
         base, _, side = name.partition(".")
         _check_type(base, muscles[base], pulls[base])
-        field = skin.displaced(muscles[base], pulls[base])
+        try:
+            field = skin.displaced(muscles[base], pulls[base])
+        except HeadError as error:
+            raise HeadError(f"muscle '{base}': {error.message}", Place(TABLE)) from None
         if side == "right":
             field = field[mirror] * MIRROR
         length = np.linalg.norm(field, axis=1)

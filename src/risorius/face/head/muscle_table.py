@@ -21,30 +21,55 @@ ForceType = Literal["linear", "sheet", "sphincter", "rotation", "bulge", "protru
 """The six types of force (paper B, section 6.1, has six without naming them; the choice is ours)."""
 
 
+PullLine = tuple[Point3, Point3]
+ZoneWidth = Annotated[float, Range(0.0, 200.0)]
+
+
+def _check_line(line: PullLine) -> None:
+    if line[0] == line[1]:
+        raise ParameterError("line has no length; expected two different points")
+
+
+@dataclass(frozen=True, slots=True)
+class Force:
+    """A force that a muscle of several lines or types gathers with that of its row (paper B, section 6.1).
+
+    `moves`: mm by which it alone moves, at full contraction, the point of the skin that it moves most.
+    """
+
+    type: ForceType
+    line: PullLine
+    zone: ZoneWidth
+    moves: Annotated[float, Range(0.0, 50.0)]
+
+    def __post_init__(self) -> None:
+        _check_line(self.line)
+
+
 @dataclass(frozen=True, slots=True)
 class Muscle:
     """One row. Points are mm in the head frame, on the subject's left; `zone` mm from the line.
 
-    The builder of heads reads the recipe of the calibrated field: `shapes`, `part`, `lips`, `smooth`,
-    `narrow`.
+    `gathered`: forces that add to the row's own. The builder of heads reads the recipe of the calibrated
+    field: `shapes`, `part`, `lips`, `smooth`, `narrow`.
     """
 
     origin: str
     insertion: str
     action: str
     type: ForceType
-    line: tuple[Point3, Point3]
-    zone: Annotated[float, Range(0.0, 200.0)]
+    line: PullLine
+    zone: ZoneWidth
     source: str
     shapes: Mapping[str, float] = field(default_factory=dict)
     part: str = "all"
     lips: Literal["free", "together", "no overlap"] = "free"
     smooth: float = 0.0
     narrow: float = 0.0
+    gathered: tuple[Force, ...] = ()
 
     def __post_init__(self) -> None:
-        if self.line[0] == self.line[1]:
-            raise ParameterError("line has no length; expected two different points")
+        _check_line(self.line)
 
 
 def load_muscles(folder: Path) -> dict[str, Muscle]:
