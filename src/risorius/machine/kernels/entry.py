@@ -118,7 +118,7 @@ def _expression(kind: Value | Record, left: list[str], known: dict[str, Any]) ->
 
 
 MOST_AXES = 4
-"""Arrays have at most so many axes."""
+"""The largest number of axes of an array."""
 _ARRAY, _REAL, _SHORT, _TRUTH, _WHOLE = range(5)
 _TYPE, _VALUE, _SHAPE, _AXES = LAYOUT.type, LAYOUT.value, LAYOUT.shape, LAYOUT.axes
 _DTYPE, _FLAGS, _NUMBER, _ORDER = LAYOUT.dtype, LAYOUT.flags, LAYOUT.number, LAYOUT.order
