@@ -35,7 +35,7 @@ class PhoneLabel(NamedTuple):
     tone: str = ""
 
 
-Reader = Callable[[str], PhoneLabel | None]
+LabelReader = Callable[[str], PhoneLabel | None]
 
 
 def read_phones(labels: Sequence[Label], source: str) -> tuple[bool, list[PhoneLabel]]:
@@ -90,7 +90,7 @@ def _continues(before: str, symbol: str) -> bool:
     return before == GLOTTAL or symbol == stop or (stop in ("T", "D") and symbol in ("CH", "JH"))
 
 
-def _reader_of(labels: Sequence[Label]) -> Reader:
+def _reader_of(labels: Sequence[Label]) -> LabelReader:
     """Return the reader of the alphabet that most labels are written in."""
     texts = Counter(label.text.strip() for label in labels)
     as_arpabet = sum(count for text, count in texts.items() if _arpabet(text) is not None)
