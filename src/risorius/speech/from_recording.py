@@ -87,6 +87,9 @@ def _hear_script(
     if directions.answers:
         message = "answers is not read with a recording, whose accents are those of its sound"
         warn(f"{script.lines[0].place}: {message}", SpeechWarning)
+    timed = next((sync for sync in directions.syncs if sync.seconds is not None), None)
+    if timed is not None:
+        warn(f"{timed.place}: times of sync points are not used with a recording", SpeechWarning)
     if is_timed(directions):
         return measured(utterance_dictated(read_recording(audio), script.text, directions))
     dictated = next((span for span in directions.spans if span.phones), None)
