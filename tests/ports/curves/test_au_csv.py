@@ -131,7 +131,7 @@ def test_one_of_several_faces_is_chosen_by_its_number(tmp_path: Path) -> None:
     (tmp_path / "x.csv").write_text(FACES)
     assert read_au_csv(tmp_path / "x.csv", 0).units[12].tolist() == pytest.approx([0.2, 0.4])
     assert read_au_csv(tmp_path / "x.csv", 3).units[12].tolist() == pytest.approx([0.8, 1.0, 0.6])
-    with pytest.raises(InputError, match="has 2 faces: 0, 3; expected one of them, e.g. --face 0"):
+    with pytest.raises(InputError, match=r"has 2 faces: 0, 3; expected one of them, e\.g\. --face 0"):
         read_au_csv(tmp_path / "x.csv")
     with pytest.raises(InputError, match="has no face 1; expected one of 0, 3"):
         read_au_csv(tmp_path / "x.csv", 1)

@@ -10,6 +10,7 @@ import pytest
 from risorius.core.arrays import Array
 from risorius.core.speech.audio import Audio, AudioWriter
 from risorius.core.speech.utterance import Utterance
+from risorius.errors import InputError, SpeechWarning
 from risorius.speech.alignment import align
 from risorius.speech.alignment.decoder import AlignedPhone
 from risorius.speech.alignment.speech_activity import PAD, Condensed, condensed, sounding
@@ -124,3 +125,52 @@ def test_a_word_that_begins_a_piece_is_no_longer_than_there() -> None:
     sound = Condensed(audio_of(np.zeros(8_000), 16_000), ((2.0, 2.5),), 3.0)
     placed = sound.placed([AlignedPhone("AA", 0.0, 0.5, 0, 0.0)])
     assert [(p.symbol, p.start, p.end) for p in placed] == [("", 0.0, 2.0), ("AA", 2.0, 2.5), ("", 2.5, 3.0)]
+
+
+def music(kind: str, seconds: float, rate: int) -> Array:
+    """Return music of one kind, of mean power 1, that fades out."""
+    times = np.arange(round(seconds * rate)) / rate
+    rng = np.random.default_rng(2)
+    if kind == "melody":
+        beat = (times // 0.3).astype(int)
+        hertz = 220.0 * 2.0 ** (rng.integers(0, 13, beat.max() + 1)[beat] / 12.0)
+        phase = 2.0 * np.pi * np.cumsum(hertz) / rate
+        sound = sum(np.sin(k * phase) / k for k in (1, 2, 3, 4)) * np.exp(-3.0 * (times % 0.3))
+    elif kind == "chord":
+        swell = 1.0 + 0.3 * np.sin(2.0 * np.pi * 0.3 * times)
+        notes = [np.sin(2.0 * np.pi * f * k * times) / k for f in (110, 220, 277, 330) for k in (1, 2, 3)]
+        sound = swell * sum(notes)
+    else:
+        sound = rng.normal(size=len(times)) * np.exp(-15.0 * (times % 0.25))
+        sound += np.sin(2.0 * np.pi * 82.0 * times)
+    fade = np.minimum(1.0, (seconds - times) / 0.3)
+    return np.asarray(fade * sound / np.std(sound))
+
+
+@pytest.mark.parametrize("kind", ["melody", pytest.param("chord", marks=pytest.mark.full), "drums"])
+@pytest.mark.parametrize("seconds", [6.0, pytest.param(12.0, marks=pytest.mark.full)])
+def test_words_after_music_are_found_or_named(kind: str, seconds: float, spoken: Utterance) -> None:
+    rate, samples = spoken.audio.sample_rate, spoken.audio.read().astype(np.float64)
+    level = 0.8 * np.sqrt(np.mean(samples[np.abs(samples) > 200.0] ** 2))
+    audio = audio_of(np.concatenate([level * music(kind, seconds, rate), samples]), rate)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        found = align(audio, spoken.text)
+    named = " ".join(str(warning.message) for warning in caught)
+    for word, said in zip(found.words, spoken.words, strict=True):
+        assert abs(word.start - said.start - seconds) < 0.2 or f"'{word.text}' at" in named
+
+
+def test_what_is_heard_beside_the_words_is_told(spoken: Utterance) -> None:
+    rate, samples = spoken.audio.sample_rate, spoken.audio.read().astype(np.float64)
+    audio = audio_of(np.concatenate([3_000.0 * music("melody", 8.0, rate), samples]), rate)
+    with pytest.warns(
+        SpeechWarning, match=r"heard in the recording, but not in the transcript: 0.00 to [78]\."
+    ):
+        align(audio, spoken.text)
+
+
+def test_a_wrong_transcript_is_refused_in_spite_of_silence(spoken: Utterance) -> None:
+    audio, _ = with_silence(spoken, [(0, 30.0)], "white -60")
+    with pytest.raises(InputError, match="does not fit the recording"):
+        align(audio, "Some completely different words were never spoken here at all.")

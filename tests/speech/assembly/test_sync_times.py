@@ -77,8 +77,8 @@ def test_phones_follow_one_another() -> None:
     ],
 )
 def test_a_time_that_cannot_hold_is_told_with_its_reason(text: str, reason: str) -> None:
+    script = parse_bml(f'<bml><speech id="s">\n<text>{text}</text></speech></bml>', "x.bml")
     with pytest.warns(SpeechWarning, match=rf"x.bml:2:\d+: sync point 't' is not at [\d.]+ s: .*{reason}"):
-        script = parse_bml(f'<bml><speech id="s">\n<text>{text}</text></speech></bml>', "x.bml")
         utterance = synthesize_script(script)
     assert utterance.words[-1].text == "friend"
 

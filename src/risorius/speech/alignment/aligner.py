@@ -18,7 +18,7 @@ from ...errors import InputError
 from ...languages import phonesets
 from ..resampled import Resampled
 from ..structure.build import build_utterance
-from .confidence import check_words, mean_score
+from .confidence import check_words, mean_score, words_score
 from .decoder import MODEL_LANGUAGE, AlignedPhone, AlignmentError, Decoders, Readings, with_decoders
 from .edges import place_edges
 from .glottal import glottal_starts
@@ -26,7 +26,8 @@ from .hiss_ends import hiss_ends
 from .lexicon import ScriptWord, read_transcript, stresses_of
 from .silences import without_gaps
 from .spectra import band_levels
-from .speech_activity import Condensed, condensed
+from .speech_activity import LEAST_LEFT_OUT, Condensed, condensed
+from .speech_region import is_lost, speech_region
 from .unheard_pauses import with_pauses
 from .voice_ends import shared_sounds, voice_ends
 from .windows import WHOLE, Window, windows
@@ -35,6 +36,8 @@ from .windows import WHOLE, Window, windows
 UNHEARD_CLOSURE = 0.015
 # Seconds that an edge keeps from the ends of what is around it.
 _LEAST = 0.005
+# Log likelihood per frame by which words may fit worse where they are sought.
+_WORSE = 5.0
 
 
 def align(
@@ -51,6 +54,26 @@ def align(
     return assembled(audio, transcript, found.phones, found.words, found.language)
 
 
+def _within(
+    found: Decoded, sound: Condensed, region: tuple[float, float], readings: Sequence[Readings], usual: float
+) -> tuple[Decoded, Condensed, tuple[tuple[float, float], ...]]:
+    """Return words aligned in a region alone, its sound, and what is left out, if they fit there.
+
+    Words that are lost in music may fit it a little better than the speech.
+    """
+    part = sound.cut(*region)
+    try:
+        again = decoded(part, readings)
+    except InputError:
+        return found, sound, ()
+    if is_lost(again.rough, usual) and words_score(again.rough) < words_score(found.rough) - _WORSE:
+        return found, sound, ()
+    start, end = region
+    around = ((0.0, start), (end, sound.audio.duration))
+    left_out = [(sound.time(a), sound.time(b)) for a, b in around if b - a > LEAST_LEFT_OUT]
+    return again, part, tuple(left_out)
+
+
 class Located(NamedTuple):
     """An alignment: phones and silences, contiguous; the words that they belong to, and their language."""
 
@@ -65,8 +88,16 @@ def located(
     """Return where in a recording the phones of its transcript are; raises and warns as `align` does."""
     spoken, words = read_transcript(transcript, language)
     sound = condensed(Resampled(audio))
-    found = decoded(sound, [word.readings for word in words], progress)
-    check_words(words, found.rough, sound.time)
+    readings = [word.readings for word in words]
+    found = decoded(sound, readings, progress)
+    left_out: tuple[tuple[float, float], ...] = ()
+    if is_lost(found.rough, spoken.duration):
+        region = with_decoders(
+            lambda decoders: speech_region(Resampled(sound.audio), readings, spoken.duration, decoders)
+        )
+        if region is not None:
+            found, sound, left_out = _within(found, sound, region, readings, spoken.duration)
+    check_words(words, found.rough, sound.time, left_out)
     return Located(owned(found.phones, words), words, spoken.language)
 
 

@@ -46,6 +46,11 @@ USUAL, USUAL_WORDS, EVEN = -25.0, 3, 0.15
 # Silence so unlikely, and so long (seconds), is speech that the transcript lacks; a greater share of the
 # speech than the third is most of it.
 DOUBTFUL_SILENCE, LEAST_MISSING, MOST_MISSING = -28.0, 0.15, 0.6
+# A few words fit somewhere: for each word above FEW_WORDS the limit for `lonely` ones is lower.
+FEW_WORDS, PER_WORD = 4, 2.5
+# Seconds of such speech beside which a few words may be misplaced.
+LONG_MISSING = 0.5
+_ROUNDING = 1e-6
 _SHOWN = 8
 
 
@@ -80,18 +85,20 @@ def check_words(
     words: Sequence[ScriptWord],
     aligned: Sequence[AlignedPhone],
     time: Callable[[float], float] = lambda seconds: seconds,
+    left_out: Sequence[tuple[float, float]] = (),
 ) -> None:
     """Raise InputError if the words as a whole do not fit; warn (SpeechWarning) of those that may not.
 
-    `time` returns what time is told for one of `aligned`.
+    `time` returns what time is told for one of `aligned`. `left_out`: stretches that sound and have no words.
     """
     spans = _spans(len(words), aligned)
     limits = FOREIGN if any(word.own for word in words) else OWN
     misfits = word_misfits(spans, limits)
-    doubtful = [index for index, misfit in enumerate(misfits) if misfit > 1.0]
     missing = [
         f for f in aligned if f.word < 0 and f.score < DOUBTFUL_SILENCE and f.end - f.start >= LEAST_MISSING
     ]
+    lonely = _beyond(spans, missing) if left_out else set[int]()
+    doubtful = [index for index, misfit in enumerate(misfits) if misfit > 1.0 or index in lonely]
     named = [f"'{words[i].word.text}' at {time(spans[i][0].start):.2f} s" for i in doubtful]
     receive = _receiver.get()
     if receive is not None:
@@ -105,7 +112,11 @@ def check_words(
     if missing:
         places = _listed([f"{time(f.start):.2f} to {time(f.end):.2f} s" for f in missing])
         reasons.append(f"said in the recording, but not in the transcript: {places}")
-    if _is_anothers(spans, _seconds(missing), limits):
+    if left_out:
+        places = _listed([f"{start:.2f} to {end:.2f} s" for start, end in left_out])
+        reasons.append(f"heard in the recording, but not in the transcript: {places}")
+    without_words = _seconds(missing) + sum(end - start for start, end in left_out)
+    if _is_anothers(spans, without_words, limits):
         raise InputError("; ".join(["the transcript does not fit the recording", *reasons]))
     for reason in reasons:
         warn(reason, SpeechWarning)
@@ -122,12 +133,31 @@ def word_misfits(spans: Sequence[Sequence[AlignedPhone]], limits: ConfidenceLimi
     ]
 
 
+def _beyond(spans: Sequence[Sequence[AlignedPhone]], missing: Sequence[AlignedPhone]) -> set[int]:
+    """Return the few words before the first, or after the last, stretch of speech that has no words.
+
+    Beside music they may be in it.
+    """
+    long = [silence for silence in missing if silence.end - silence.start >= LONG_MISSING]
+    if not long:
+        return set()
+    before = {k for k, span in enumerate(spans) if span[-1].end <= long[0].start + _ROUNDING}
+    after = {k for k, span in enumerate(spans) if span[0].start >= long[-1].end - _ROUNDING}
+    return set[int]().union(*(few for few in (before, after) if len(few) <= FEW_WORDS))
+
+
 def _is_anothers(spans: Sequence[Sequence[AlignedPhone]], missing: float, limits: ConfidenceLimits) -> bool:
     """Tell whether the words are another recording's, in which `missing` seconds of speech are not theirs."""
     speech = sum(map(_seconds, spans))
     poor = sum(_seconds(span) for span in spans if mean_score(span) < limits.poor)
-    wrong = limits.lonely if missing > MOST_MISSING * (speech + missing) else limits.wrong
+    lonely = max(limits.wrong, limits.lonely - PER_WORD * max(len(spans) - FEW_WORDS, 0))
+    wrong = lonely if missing > MOST_MISSING * (speech + missing) else limits.wrong
     return mean_score([f for span in spans for f in span]) < wrong or poor > POOR_SHARE * speech
+
+
+def words_score(aligned: Sequence[AlignedPhone]) -> float:
+    """Return the mean log likelihood per frame of all words."""
+    return mean_score([f for f in aligned if f.word >= 0])
 
 
 def mean_score(aligned: Sequence[AlignedPhone]) -> float:

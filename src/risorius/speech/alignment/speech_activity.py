@@ -44,6 +44,21 @@ class Condensed:
     pieces: tuple[tuple[float, float], ...]
     duration: float
 
+    def cut(self, start: float, end: float) -> Condensed:
+        """Return what `audio` holds in [start, end) seconds."""
+        pieces: list[tuple[float, float]] = []
+        reached = 0.0
+        for first, last in self.pieces:
+            begin, stop = max(start - reached, 0.0), min(end - reached, last - first)
+            if stop > begin:
+                pieces.append((first + begin, first + stop))
+            reached += last - first
+        rate = self.audio.sample_rate
+        with AudioWriter(rate) as writer:
+            samples = round(start * rate), round(end * rate)
+            _copy(self.audio, writer, *samples)
+            return Condensed(writer.finish(), tuple(pieces), self.duration)
+
     def time(self, seconds: float) -> float:
         """Return the time in the recording of a time in `audio`."""
         for start, end in self.pieces:
@@ -107,10 +122,15 @@ def condensed(resampled: Resampled) -> Condensed:
     with AudioWriter(rate) as writer:
         for start, end in spans:
             first, last = round(start * rate), min(round(end * rate), audio.frames)
-            for at in range(first, last, _COPIED):
-                writer.append(audio.read(at, min(_COPIED, last - at)))
+            _copy(audio, writer, first, last)
             pieces.append((first / rate, last / rate))
         return Condensed(writer.finish(), tuple(pieces), audio.duration)
+
+
+def _copy(audio: Audio, writer: AudioWriter, first: int, last: int) -> None:
+    """Append samples of a sound from `first` to `last`."""
+    for at in range(first, last, _COPIED):
+        writer.append(audio.read(at, min(_COPIED, last - at)))
 
 
 _COPIED = 1 << 20  # samples at a time
