@@ -2,10 +2,11 @@
 
 FOLDER is laid out as TIMIT (`timit.py`). Each recording is brought to one level and aligned with its own
 transcript and with that of another speaker's sentence, of about the same length, after 0, 6 and 30 s of
-silence in which there is noise of one of four levels. Prints, for each length of silence, how many right
-transcripts are refused (asked: at most 1 %), how many wrong ones are accepted without a warning (at most
-3 %), how many of the said words are called "perhaps not said" (at most 1 %), and how many words begin within 50 ms
-of where they begin without silence.
+silence in which there is noise of one of four levels. Prints, for each length of silence,
+- how many right transcripts are refused (asked: at most 1 %), and how many wrong ones are accepted without a
+  warning (at most 3 %);
+- how many of the said words are called "perhaps not said" (at most 1 %);
+- how many words begin within 50 ms of where they begin without silence.
 Run from the repository (two minutes for 80 recordings):
     PYTHONPATH=src python benchmarks/recordings_with_silence.py FOLDER [--sentences 80]
 """
