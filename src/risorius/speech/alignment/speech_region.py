@@ -22,7 +22,7 @@ SOUGHT_WORDS, SOUGHT_SECONDS = 14, 60.0
 _ROOM, _ROOM_SECONDS, _STEP = 1.6, 1.5, 0.5
 _SHORTEST_STEP, _FINE = 0.5, 3
 # Words that last much longer or shorter than usual (natural logarithm of the ratio) fit worse.
-_USUAL_RATE, _PER_RATE = 0.35, 25.0
+_USUAL_RATE, _PER_RATE, _LEAST = 0.35, 25.0, 0.01
 # Windows that fit so little worse than the best are as good.
 _NEARLY = 2.0
 # Seconds that are kept beside the words.
@@ -62,7 +62,7 @@ def speech_region(
     """
     duration = resampled.audio.duration
     count = min(len(words), SOUGHT_WORDS)
-    length = usual * count / len(words)
+    length = max(usual, _SHORTEST_STEP) * count / len(words)
     head = _best(resampled, words[:count], length, (0.0, min(duration, SOUGHT_SECONDS + length)), decoders)
     if head is None:
         return None
@@ -96,7 +96,7 @@ def _best(
                 continue
             said = [phone for phone in phones if phone.word >= 0]
             first, last = said[0].start, said[-1].end
-            strange = max(0.0, abs(np.log((last - first) / length)) - _USUAL_RATE)
+            strange = max(0.0, abs(np.log(max(last - first, _LEAST) / length)) - _USUAL_RATE)
             yield _Fit(mean_score(said) - _PER_RATE * strange, start + first, start + last), start
 
     last = max(within[1] - 0.5 * length, within[0] + step)
