@@ -146,13 +146,15 @@ def play(
     capture: FileName,
     *,
     audio: FileName | None = None,
+    face: int | None = None,
     settings: Settings | None = None,
     progress: Progress = quiet,
 ) -> Take:
-    """Perform a captured face: `.arkit.csv` (or any CSV of Live Link Face), `.fap`, `.au.csv`, or a score.
+    """Perform a captured face: `.arkit.csv`, `.au.csv`, `.fap`, or a score.
 
-    `audio` is a recording that is heard with it. Raises InputError for a file that cannot be used, and for
-    settings that nothing reads (UnusedSettingError).
+    Any other `.csv` is read by its columns: those of Live Link Face, OpenFace, Audio2Face or MediaPipe.
+    `audio` is a recording that is heard with it, `face` the number of the face in a file with several. Raises
+    InputError for a file that cannot be used, and for settings that nothing reads (UnusedSettingError).
     """
     from .face.head.head import head_of
     from .ports.formats import format_read
@@ -160,13 +162,15 @@ def play(
 
     settings, path = checked(settings), path_of(capture)
     kind = format_read(path)
+    if face is not None and path.suffix.lower() != ".csv":
+        raise InputError("holds one face; expected no --face", Place(str(capture)))
     if kind.suffix == ".performance.json":
         take = load(path, settings=settings)
     elif kind.suffix == ".score.json":
         take = mix(path, settings=settings, progress=progress)
     else:
         reject(settings, CAPTURE, Place(str(capture)))
-        file = kind.read(path, ReadOptions(partial(head_of, settings), progress))
+        file = kind.read(path, ReadOptions(partial(head_of, settings), progress, face))
         take = combine(announced(file.score, settings.fps, progress), settings, file.utterance)
     if audio is None:
         return take

@@ -44,7 +44,7 @@ from .registry import FuzzedReader
 CASES = int(os.environ.get("RISORIUS_FUZZ", samples(2000, 12)))
 COUNTED = samples(18_000, 144)
 PACKAGE_TABLES = {
-    "Articulation", "Attitude", "BmlTable", "Bulge", "Expression", "FuzzyTable", "MarkupTable",
+    "Articulation", "Attitude", "BmlTable", "Bulge", "Expression", "FuzzyTable", "LabelTable", "MarkupTable",
     "PhoneInventory", "Priors", "ProsodyRules", "RegionRow", "Saccade", "SsmlTable", "Synchrony", "Tradeoffs",
     "Viseme", "VoiceEmotions",
 }  # fmt: skip

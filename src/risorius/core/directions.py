@@ -62,11 +62,12 @@ class ToneMark:
 
 @dataclass(frozen=True, slots=True)
 class Sync:
-    """A named place in the text, before character `at`."""
+    """A named place in the text, before character `at`; `seconds` after the line's start if that is given."""
 
     name: str
     at: int
     place: Place
+    seconds: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -44,8 +44,10 @@ class ReadOptions:
     """Options of a reader, beside the file.
 
     `head` loads the head that will perform; it is called when the file is known to be right, and only by
-    formats that are fitted to a face. `progress` is called before long work.
+    formats that are fitted to a face. `progress` is called before long work. `face`: the number of the face
+    in a file that has several.
     """
 
     head: Callable[[], Head]
     progress: Progress = quiet
+    face: int | None = None

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from ..core.directions import Directions, Sync
+from ..core.units import MAX_SECONDS
 from ..errors import InputError
-from .anchor import Anchor, Base
-from .quote import one_line
+from .anchor import Anchor, Base, parse_number
+from .quote import one_line, quoted
 from .ssml import ROOT as SSML_ROOT
 from .ssml import SsmlWriter
 from .tree import Unknowns, XmlNode
@@ -24,7 +25,19 @@ class _SpeechWriter(SsmlWriter):
         name = node.required("id", 'id="tm1"').value.strip()
         if any(sync.name == name for sync in self.syncs):
             raise InputError(f"sync point '{one_line(name)}' is set twice; expected it once", node.place)
-        self.syncs.append(Sync(name, len(self.text), node.place))
+        self.syncs.append(Sync(name, len(self.text), node.place, _seconds(node)))
+
+
+def _seconds(node: XmlNode) -> float | None:
+    """Return the time of a sync point after the speech's start, if it has one; raise InputError if not so."""
+    attribute = node.get("time")
+    if attribute is None:
+        return None
+    seconds = parse_number(attribute.value.strip())
+    if seconds is None or not 0.0 <= seconds <= MAX_SECONDS:
+        message = f"time = {quoted(attribute.value)}; expected seconds after the start of the speech"
+        raise InputError(message, attribute.place)
+    return seconds
 
 
 def read_words(node: XmlNode, unknowns: Unknowns) -> tuple[str, Directions]:

@@ -6,6 +6,7 @@ from os import PathLike
 
 from ..core.directions import Directions
 from ..core.progress import Progress, quiet
+from ..core.speech.audio import Audio
 from ..core.speech.utterance import Utterance
 from ..errors import InputError, Place, SpeechWarning, warn
 from ..script import Script, SpokenLine
@@ -18,8 +19,14 @@ from .assembly.retime import is_timed
 from .input import LabelledRecording, Recording
 from .prosody import measured
 from .recordings.dictated import utterance_dictated
-from .recordings.labelled import PHONE_TIERS, WORD_TIERS, found_tier, utterance_of_labels
-from .recordings.phone_labels import is_silence
+from .recordings.labelled import (
+    PHONE_TIERS,
+    WORD_TIERS,
+    found_tier,
+    from_start,
+    said_words,
+    utterance_of_labels,
+)
 from .recordings.recognition import recognize
 from .recordings.recording import read_recording
 from .recordings.tone_labels import tells_accents, tells_boundaries
@@ -58,6 +65,9 @@ def _hear_script(
     if directions.answers:
         message = "answers is not read with a recording, whose accents are those of its sound"
         warn(f"{script.lines[0].place}: {message}", SpeechWarning)
+    timed = next((sync for sync in directions.syncs if sync.seconds is not None), None)
+    if timed is not None:
+        warn(f"{timed.place}: times of sync points are not used with a recording", SpeechWarning)
     if is_timed(directions):
         return measured(utterance_dictated(read_recording(audio), script.text, directions))
     dictated = next((span for span in directions.spans if span.phones), None)
@@ -91,22 +101,21 @@ def hear_words(
 
 def _labelled(recording: LabelledRecording, progress: Progress) -> Utterance:
     labels, audio = read_textgrid(recording.labels), recording.audio
-    words = found_tier(labels, WORD_TIERS)
     if audio is None:
         return utterance_of_labels(labels)
+    sound = read_recording(audio)
+    labels = from_start(labels, sound.duration)
+    words = found_tier(labels, WORD_TIERS)
     if words is not None and found_tier(labels, PHONE_TIERS) is None:
-        timed_words = [TimedWord(w.text, w.start, w.end) for w in words.labels if not is_silence(w.text)]
-        return _hear_timed(audio, timed_words, labels.source, progress)
-    utterance = utterance_of_labels(labels, read_recording(audio))
+        timed_words = [TimedWord(w.text, w.start, w.end) for w in said_words(words, labels.source)]
+        return _hear_timed(sound, timed_words, labels.source, progress)
+    utterance = utterance_of_labels(labels, sound)
     progress("Listening …")
     return measured(utterance, accents=not tells_accents(labels), boundaries=not tells_boundaries(labels))
 
 
-def _hear_timed(
-    audio: str | PathLike[str], words: list[TimedWord], source: str, progress: Progress
-) -> Utterance:
+def _hear_timed(sound: Audio, words: list[TimedWord], source: str, progress: Progress) -> Utterance:
     """Return the utterance of a recording whose words have labels: these are kept."""
-    sound = read_recording(audio)
     progress("Aligning …")
     try:
         located = locate_in_words(sound, words)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from risorius.core.arkit import CSV_SHAPES, SHAPES
-from risorius.errors import InputError
+from risorius.errors import InputError, RisoriusWarning
 from risorius.ports.curves.arkit_csv import COLUMNS, read_arkit_csv, timecode
 from risorius.take import Take
 
@@ -172,3 +172,68 @@ def test_memory_is_that_of_the_numbers(written: Path, tmp_path: Path) -> None:
     assert take.weights.nbytes + take.rotations.nbytes == numbers
     assert most < 2 * numbers
     assert (tmp_path / "long.csv").stat().st_size > 1.5 * numbers
+
+
+def table(folder: Path, names: list[str], rows: list[list[str]], name: str = "x.csv") -> Path:
+    path = folder / name
+    path.write_text("\n".join(",".join(row) for row in [names, *rows]) + "\n")
+    return path
+
+
+def audio2face(folder: Path, more: tuple[str, ...] = ()) -> Path:
+    names = ["", "timeCode", *(f"blendShapes.{shape}" for shape in (*CSV_SHAPES, *more))]
+    rows = [
+        [str(k), f"{k / 30:.6f}", *("0.5" if shape == "JawOpen" else "0.1" for shape in (*CSV_SHAPES, *more))]
+        for k in range(3)
+    ]
+    return table(folder, names, rows, "animation_frames.csv")
+
+
+def test_a_table_of_audio2face_is_read(tmp_path: Path) -> None:
+    take = read_arkit_csv(audio2face(tmp_path))
+    assert take.times == pytest.approx([0.0, 1 / 30, 2 / 30], abs=1e-6)
+    assert take.weights[:, SHAPES.index("jawOpen")] == pytest.approx(0.5)
+    assert take.weights[:, SHAPES.index("mouthLeft")] == pytest.approx(0.1)
+
+
+def test_shapes_that_arkit_lacks_are_left_out_with_one_warning(tmp_path: Path) -> None:
+    with pytest.warns(RisoriusWarning, match="TongueTipUp, blendShapes.TongueIn left out") as caught:
+        take = read_arkit_csv(audio2face(tmp_path, ("TongueTipUp", "TongueIn")))
+    assert len(caught) == 1
+    assert take.weights.shape == (3, 52)
+
+
+@pytest.mark.parametrize(
+    ("time", "written"),
+    [
+        (["Timecode", "BlendshapeCount"], [["00:00:01:00.000", "52"], ["00:00:01:30.000", "52"]]),
+        (["timestamp"], [["0"], ["0.5"]]),
+        (["frame", "timestamp_ms"], [["0", "0"], ["1", "500"]]),
+        (["time"], [["0.0"], ["0.5"]]),
+    ],
+)
+def test_mediapipes_names_are_read_without_the_tongue(
+    tmp_path: Path, time: list[str], written: list[list[str]]
+) -> None:
+    names = ["_neutral", *sorted(name for name in SHAPES if name != "tongueOut")]
+    rows = [[*row, *("0.7" if name == "jawOpen" else "0.2" for name in names)] for row in written]
+    with pytest.warns(RisoriusWarning, match="_neutral left out.*no column TongueOut") as caught:
+        take = read_arkit_csv(table(tmp_path, [*time, *names], rows))
+    assert len(caught) == 1
+    assert take.times == pytest.approx([0.0, 0.5])
+    assert take.weights[0, SHAPES.index("jawOpen")] == 0.7
+    assert take.weights[0, SHAPES.index("tongueOut")] == 0.0
+    assert take.weights[0, SHAPES.index("noseSneerRight")] == 0.2
+    assert take.weights[0, SHAPES.index("mouthUpperUpRight")] == 0.2
+
+
+def test_seconds_are_those_of_the_film(tmp_path: Path) -> None:
+    rows = [[time, *["0"] * 52] for time in ("0.4", "0.5")]
+    take = read_arkit_csv(table(tmp_path, ["timestamp", *CSV_SHAPES], rows))
+    assert take.times.tolist() == [0.4, 0.5]
+
+
+def test_a_table_without_times_is_refused(tmp_path: Path) -> None:
+    path = table(tmp_path, ["frame", *CSV_SHAPES], [["0", *["0"] * 52]])
+    with pytest.raises(InputError, match="column 'Timecode' of a Live Link Face take is missing"):
+        read_arkit_csv(path)

@@ -1,11 +1,14 @@
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from risorius.api import pose
-from risorius.errors import InputError
+from risorius.api import play, pose
+from risorius.core.parameters import INDEX
+from risorius.errors import InputError, RisoriusWarning
 from risorius.ports.curves.au_csv import CAMERA, COLUMNS, pose_angles, read_au_csv, turn_of
+from risorius.settings import Settings
 from risorius.take import Take
 
 
@@ -83,3 +86,61 @@ def test_angles_go_there_and_back() -> None:
     angles = (0.2, -0.4, 0.1)
     assert pose_angles(turn_of(np.array(angles))) == pytest.approx(angles)
     assert np.allclose(CAMERA @ CAMERA, np.eye(3))
+
+
+@pytest.mark.parametrize("name", ["x.csv", "MyTake.CSV", "x.au.csv", "x.arkit.csv"])
+def test_a_file_of_openface_is_known_by_its_columns(tmp_path: Path, name: str) -> None:
+    (tmp_path / name).write_text("frame, face_id, timestamp, success, AU12_r\n1,0,0.0,1,5\n2,0,0.1,1,5\n")
+    take = play(tmp_path / name, settings=Settings(fps=Fraction(30)))
+    assert take.performance.values[1, INDEX["zygomatic_major.left"]] > 0.5
+
+
+@pytest.mark.parametrize(("fps", "times"), [(30, (0.0, 1.0, 2.315)), (25, (0.0, 0.5, 0.53)), (7, (0.0, 0.9))])
+def test_a_capture_that_ends_between_frames_keeps_its_last_face(
+    tmp_path: Path, fps: int, times: tuple[float, ...]
+) -> None:
+    rows = "".join(f"{time},0,{0.3 * time / times[-1]},0,0\n" for time in times)
+    (tmp_path / "x.au.csv").write_text("timestamp,AU12_r,pose_Rx,pose_Ry,pose_Rz\n" + rows)
+    take = play(tmp_path / "x.au.csv", settings=Settings(fps=Fraction(fps)))
+    pitch = take.performance.values[:, INDEX["head_pitch"]]
+    assert len(pitch) == round(times[-1] * fps) + 1
+    assert abs(pitch[-1]) == pytest.approx(np.degrees(0.3), rel=0.1)
+
+
+@pytest.mark.parametrize("start", [0.259, 0.5])
+def test_times_are_those_of_the_film(tmp_path: Path, start: float) -> None:
+    (tmp_path / "x.au.csv").write_text(f"timestamp,AU12_r\n{start},1\n{start + 1},5\n")
+    assert read_au_csv(tmp_path / "x.au.csv").times.tolist() == pytest.approx([start, start + 1.0])
+
+
+def test_a_late_beginning_is_told_and_a_clock_begins_at_0(tmp_path: Path) -> None:
+    (tmp_path / "x.au.csv").write_text("timestamp,AU12_r\n100,1\n101,5\n")
+    with pytest.warns(RisoriusWarning, match=r":2: the first row is at 100 s, and is held from 0 s on"):
+        assert read_au_csv(tmp_path / "x.au.csv").times.tolist() == [100.0, 101.0]
+    (tmp_path / "x.au.csv").write_text("timestamp,AU12_r\n1700000000.5,1\n1700000001.5,5\n")
+    assert read_au_csv(tmp_path / "x.au.csv").times.tolist() == [0.0, 1.0]
+
+
+FACES = (
+    "frame,face_id,timestamp,success,AU12_r\n"
+    "1,0,0.0,1,1\n1,3,0.0,1,4\n2,0,0.1,1,2\n2,3,0.1,1,5\n3,3,0.2,1,3\n"
+)
+
+
+def test_one_of_several_faces_is_chosen_by_its_number(tmp_path: Path) -> None:
+    (tmp_path / "x.csv").write_text(FACES)
+    assert read_au_csv(tmp_path / "x.csv", 0).units[12].tolist() == pytest.approx([0.2, 0.4])
+    assert read_au_csv(tmp_path / "x.csv", 3).units[12].tolist() == pytest.approx([0.8, 1.0, 0.6])
+    with pytest.raises(InputError, match=r"has 2 faces: 0, 3; expected one of them, e\.g\. --face 0"):
+        read_au_csv(tmp_path / "x.csv")
+    with pytest.raises(InputError, match="has no face 1; expected one of 0, 3"):
+        read_au_csv(tmp_path / "x.csv", 1)
+
+
+def test_a_number_of_a_face_is_refused_where_faces_have_none(tmp_path: Path) -> None:
+    (tmp_path / "x.au.csv").write_text("timestamp,AU12_r\n0,1\n1,5\n")
+    with pytest.raises(InputError, match="has no column 'face_id'; expected no --face"):
+        play(tmp_path / "x.au.csv", face=0)
+    (tmp_path / "x.fap").write_text("")
+    with pytest.raises(InputError, match="holds one face; expected no --face"):
+        play(tmp_path / "x.fap", face=0)

@@ -20,7 +20,7 @@ from ...core.arkit import CSV_SHAPES, INDEX, ROTATIONS, SHAPES, column_of
 from ...core.arrays import Array
 from ...core.lips.lip_rig import OPENING, seal_of
 from ...core.parameters import INDEX as PARAMETER
-from ...errors import InputError, unknown
+from ...errors import InputError, Place
 from ...face.fit.arkit_direct import gaze_of
 from ...face.fit.arkit_fit import ArkitFit, ArkitTrack
 from ...face.fit.lip_file import load_lip_rig
@@ -30,6 +30,7 @@ from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from ..import_result import ReadOptions, ScoreFile
 from ..table import write_lines
+from .au_csv import is_openface, read_au_capture
 from .capture import (
     GAZE_ANGLES,
     HEAD_ANGLES,
@@ -37,11 +38,13 @@ from .capture import (
     Header,
     Parse,
     Table,
+    check_film_times,
     check_times,
     radians,
     read_table,
     score_of_capture,
 )
+from .shape_columns import SECONDS, TIMECODE, TONGUE, check_columns, here, seconds, time_column
 
 APP_RATE = 60.0  # frames per second of the app's takes
 _CLOCK = 4  # numbers of a time code, the first of each row
@@ -93,12 +96,17 @@ class ArkitTake:
 def read_arkit_csv(path: Path) -> ArkitTake:
     """Read a take of Live Link Face, or one written here; columns are found by name, in any order.
 
-    Weights are brought within 0 to 1; missing rotations are 0. Raises InputError for a column that is
+    Tables of Audio2Face and with MediaPipe's names are read as well (`shape_columns`). Weights are brought
+    within 0 to 1; missing rotations and a missing tongue are 0. Raises InputError for a column that is
     missing or unknown, a row whose count of values is wrong, a cell that is not a number or an angle, and a
     time code that cannot be read or goes back.
     """
-    table = read_table(path, _columns, COLUMNS)
+    table = read_table(path, _columns, COLUMNS, here)
     weights = table.values[:, _CLOCK : _CLOCK + len(SHAPES)]
+    if TONGUE not in table.names:
+        weights = np.insert(
+            table.values[:, _CLOCK : _CLOCK + len(SHAPES) - 1], INDEX["tongueOut"], 0.0, axis=1
+        )
     np.clip(weights, 0.0, 1.0, out=weights)  # long takes are large: their numbers are held once
     turned = [name for name in ROTATIONS if name in table.names]
     rotations = np.zeros((len(weights), len(ROTATIONS)))
@@ -107,7 +115,14 @@ def read_arkit_csv(path: Path) -> ArkitTake:
 
 
 def read_arkit_capture(path: Path, options: ReadOptions) -> ScoreFile:
-    """Fit a take's weights to the head's muscles; raises as `read_arkit_csv`."""
+    """Fit a take's weights to the head's muscles; raises as `read_arkit_csv`.
+
+    A file that has OpenFace's columns is read as one of OpenFace, whatever it is called.
+    """
+    if is_openface(path):
+        return read_au_capture(path, options)
+    if options.face is not None:
+        raise InputError("holds one face; expected no --face", Place(str(path)))
     take = read_arkit_csv(path)
     options.progress("Fitting muscles …")
     head = options.head()
@@ -134,16 +149,28 @@ def read_arkit_capture(path: Path, options: ReadOptions) -> ScoreFile:
 
 
 def _columns(header: Header) -> list[Column]:
-    for name in header.names:
-        if name not in COLUMNS:
-            raise InputError(unknown("column", name, COLUMNS), header.place(name))
-    header.require(("Timecode", *CSV_SHAPES), "a Live Link Face take")
+    check_columns(header, COLUMNS)
+    header.require([name for name in CSV_SHAPES if name != TONGUE], "a Live Link Face take")
     turned = [Column(name, radians) for name in ROTATIONS if name in header.names]
-    columns = [Column("Timecode", _clock, _CLOCK), *map(Column, map(column_of, SHAPES)), *turned]
+    shapes = [name for name in map(column_of, SHAPES) if name in header.names]
+    time = time_column(header)
+    columns = [Column(time, _clock_of(time), _CLOCK), *map(Column, shapes), *turned]
     if "BlendshapeCount" in header.names:
-        here = len(header.names) - 2
-        columns.append(Column("BlendshapeCount", _counter({str(here), str(COUNT)}, here), 0))
+        count = len(header.names) - 2
+        columns.append(Column("BlendshapeCount", _counter({str(count), str(COUNT)}, count), 0))
     return columns
+
+
+def _clock_of(column: str) -> Parse:
+    """Return the reader of a column of times: hours, minutes, seconds and frames, or seconds alone."""
+    per_second = SECONDS.get(column.lower(), 1.0)
+
+    def read(text: str) -> tuple[float, ...]:
+        if ":" in text or (column == TIMECODE and not text[:1].isdigit()):
+            return _clock(text)
+        return 0.0, 0.0, seconds(text, per_second), 0.0
+
+    return read
 
 
 def _counter(right: Collection[str], here: int) -> Parse:
@@ -166,9 +193,11 @@ def _clock(text: str) -> tuple[float, ...]:
 
 def _times(table: Table) -> Array:
     clock = table.values[:, :_CLOCK]
-    seconds = clock[:, :3] @ [3600.0, 60.0, 1.0]
-    seconds += DAY * np.cumsum(np.diff(seconds, prepend=seconds[0]) < -0.5 * DAY)
-    return check_times(seconds + clock[:, 3] / _rate(seconds, clock[:, 3]), table.path, table.lines)
+    if not clock[:, [0, 1, 3]].any():
+        return check_film_times(clock[:, 2], table.path, table.lines)
+    whole = clock[:, :3] @ [3600.0, 60.0, 1.0]
+    whole += DAY * np.cumsum(np.diff(whole, prepend=whole[0]) < -0.5 * DAY)
+    return check_times(whole + clock[:, 3] / _rate(whole, clock[:, 3]), table.path, table.lines)
 
 
 def _rate(seconds: Array, frames: Array) -> float:

@@ -35,9 +35,11 @@ from .capture import (
     Column,
     Header,
     Table,
-    check_times,
+    check_film_times,
+    column_names,
     radians,
     read_table,
+    rows_of_face,
     score_of_capture,
 )
 from .landmarks_csv import MEASURES
@@ -49,7 +51,8 @@ DISTANCE = 800.0
 _PARTED = 8.0  # mm of lip gap at which lips are parted as far as the scale goes
 _GAZE = (*(f"gaze_{eye}_{axis}" for eye in (0, 1) for axis in "xyz"), "gaze_angle_x", "gaze_angle_y")
 _POSE = (*(f"pose_T{axis}" for axis in "xyz"), *(f"pose_R{axis}" for axis in "xyz"))
-_PLAIN = ("timestamp", "success")
+_FACE = "face_id"
+_PLAIN = ("timestamp", "success", _FACE)
 _MISSPELT = 0.85  # how alike a name is to that of a column which is not there, to be taken for it
 _TURNED, _LOOKED = _POSE[3:], _GAZE[6:]
 _UNIT = re.compile(r"AU\d{1,9}_r")
@@ -117,26 +120,33 @@ class ActionUnitTake:
     gaze: Array
 
 
-def read_au_csv(path: Path) -> ActionUnitTake:
-    """Read action units, pose and gaze of OpenFace's CSV (of a sequence); other columns are passed over.
+def read_au_csv(path: Path, face: int | None = None) -> ActionUnitTake:
+    """Read action units, pose and gaze of OpenFace's CSV (a sequence's); others are passed over.
 
-    Frames in which no face was found (`success` 0) hold the one before. Raises InputError for columns that
-    are missing, units that we do not know, and cells that are not numbers.
+    `face`: the number of the face (`face_id`), if the file has several. Times are those of the film. Frames
+    in which no face was found (`success` 0) hold the one before. Raises InputError for columns that are
+    missing, units that we do not know, and cells that are not numbers.
     """
-    table = read_table(path, _columns, COLUMNS)
+    table = rows_of_face(read_table(path, _columns, COLUMNS), _FACE, face)
     units = {int(name[2:-2]): name for name in table.names if _UNIT.fullmatch(name)}
     found = _held(table)
     strengths = np.clip(table.of(list(units.values()))[found] / SCALE, 0.0, 1.0)
-    times = check_times(table.of(["timestamp"])[:, 0], path, table.lines)
+    times = check_film_times(table.of(["timestamp"])[:, 0], path, table.lines)
     turns = [turn_of(row) for row in _block(table, _TURNED)[found]]
     head = np.array([rotation_angles(CAMERA @ turn @ CAMERA) for turn in turns])
     gaze = _gaze(_block(table, _LOOKED)[found], turns)
     return ActionUnitTake(times, dict(zip(units, strengths.T, strict=True)), head, gaze)
 
 
-def read_au_capture(path: Path, _options: ReadOptions) -> ScoreFile:
+def is_openface(path: Path) -> bool:
+    """Tell whether a CSV file has OpenFace's columns, whatever its name; raise InputError for other files."""
+    names = column_names(path)
+    return "timestamp" in names and any(_UNIT.fullmatch(name.replace("au", "AU")) for name in names)
+
+
+def read_au_capture(path: Path, options: ReadOptions) -> ScoreFile:
     """Return the muscles of a file's action units; raises as `read_au_csv`."""
-    take = read_au_csv(path)
+    take = read_au_csv(path, options.face)
     values = np.tile(NEUTRAL, (len(take.times), 1))
     for k, row in enumerate(values):
         units = {f"AU{number}": float(strength[k]) for number, strength in take.units.items()}

@@ -16,12 +16,12 @@ from pathlib import Path
 
 import numpy as np
 
-from ...core.arrays import Array
+from ...core.arrays import Array, BoolArray
 from ...core.movement import Cause, ManualCurve
 from ...core.parameters import INDEX, NAMES, NEUTRAL, PARAMETERS
 from ...core.score import BlendSettings, Score
 from ...core.units import MAX_SECONDS
-from ...errors import InputError, Place
+from ...errors import InputError, Place, RisoriusWarning, warn
 from ..import_result import ScoreFile
 
 Parse = Callable[[str], Sequence[float]]
@@ -33,6 +33,10 @@ GAZE_ANGLES = [INDEX["gaze_pitch"], INDEX["gaze_yaw"]]
 _RESTS = 1e-4  # a parameter that never leaves its rest by more gets no curve
 LARGEST = 512_000_000  # bytes
 LONGEST_LINE = 1_000_000  # characters
+UNNAMED = "(row)"
+"""The name of a first column that has none."""
+HELD = 1.0  # seconds for which a capture's last face is held: its last frame may be later than its last row
+LATE = 1.0  # seconds; a capture that begins later is worth a word
 
 
 def number(text: str, low: float = -math.inf, high: float = math.inf, unit: str = "") -> tuple[float]:
@@ -98,6 +102,11 @@ class Table:
         """Return columns (rows, len(names)) that hold one number each."""
         return self.values[:, [self.names.index(name) for name in names]]
 
+    def rows(self, chosen: BoolArray) -> Table:
+        """Return the table of some rows."""
+        lines = [self.lines[index] for index in np.flatnonzero(chosen).tolist()]
+        return Table(self.path, self.names, self.values[chosen], lines)
+
 
 def read_lines(path: Path) -> Iterator[tuple[int, str]]:
     """Yield the lines of a text file with their numbers, without their ends; raise InputError."""
@@ -118,15 +127,25 @@ def read_lines(path: Path) -> Iterator[tuple[int, str]]:
         raise InputError("is not UTF-8 text; expected a text file", place) from None
 
 
-def read_table(path: Path, choose: Callable[[Header], Sequence[Column]], known: Sequence[str] = ()) -> Table:
+def as_written(name: str) -> str:
+    """Return a column's name."""
+    return name
+
+
+def read_table(
+    path: Path,
+    choose: Callable[[Header], Sequence[Column]],
+    known: Sequence[str] = (),
+    rename: Callable[[str], str] = as_written,
+) -> Table:
     """Read those columns of a CSV file that `choose` wants of its header; spaces around cells do not count,
-    nor does case in the names of the `known` columns.
+    nor does case in the names of the `known` columns. `rename` returns what a column is called here.
 
     Raises InputError for a file that is empty or no text, a column given twice, a row of another length, and
     a cell that its column cannot read.
     """
     lines = ((at, line) for at, line in read_lines(path) if line.strip())
-    header = _header(path, lines, {name.lower(): name for name in known})
+    header = _header(path, lines, {name.lower(): name for name in known}, rename)
     columns = choose(header)
     chosen = [(header.names.index(column.name), column) for column in columns]
     values, numbers = array("d"), array("Q")
@@ -139,11 +158,25 @@ def read_table(path: Path, choose: Callable[[Header], Sequence[Column]], known: 
     return Table(path, names, np.frombuffer(values).reshape(len(numbers), len(names)), numbers)
 
 
-def _header(path: Path, lines: Iterator[tuple[int, str]], spelled: Mapping[str, str]) -> Header:
+def column_names(path: Path) -> tuple[str, ...]:
+    """Return the names of a CSV file's columns in small letters, none for what is not one."""
+    line = next((line for _, line in read_lines(path) if line.strip()), "")
+    return tuple(name.strip().strip('"').lower() for name in line.split(","))
+
+
+def _header(
+    path: Path,
+    lines: Iterator[tuple[int, str]],
+    spelled: Mapping[str, str],
+    rename: Callable[[str], str] = as_written,
+) -> Header:
     at, line = next(lines, (0, ""))
     if not at:
         raise InputError("is empty; expected a header and rows", Place(str(path)))
-    names = tuple(spelled.get(name.lower(), name) for name in _cells(line, Place(str(path), at)))
+    written = map(rename, _cells(line, Place(str(path), at)))
+    names = tuple(spelled.get(name.lower(), name) for name in written)
+    if len(names) > 1 and not names[0]:  # the number of the row, as pandas writes it
+        names = (UNNAMED, *names[1:])
     for k, name in enumerate(names):
         if fault := _fault_of(name, names[:k]):
             raise InputError(fault, Place(str(path), at, _position(line, k)))
@@ -200,9 +233,9 @@ def score_of_capture(times: Array, values: Array, source: str) -> ScoreFile:
     `source` is the file's name, and becomes the curves' cause.
     """
     low, high = (np.array([getattr(p, end) for p in PARAMETERS]) for end in ("low", "high"))
-    clipped = np.clip(values, low, high)
+    clipped = np.clip(np.concatenate([values, values[-1:]]), low, high)
     moving = np.flatnonzero(np.abs(clipped - NEUTRAL).max(axis=0) > _RESTS)
-    clock = times.tolist()
+    clock = [*times.tolist(), float(times[-1]) + HELD]
     keys = {NAMES[column]: tuple(zip(clock, clipped[:, column].tolist(), strict=True)) for column in moving}
     curves = (ManualCurve(keys, Cause("capture", source)),) if keys else ()
     settings = BlendSettings(contact=False)
@@ -219,6 +252,46 @@ def check_times(times: Array, path: Path, lines: Sequence[int]) -> Array:
         )
     check_length(float(times[-1] - times[0]), Place(str(path), lines[-1]))
     return np.asarray(times - times[0])
+
+
+def check_film_times(times: Array, path: Path, lines: Sequence[int]) -> Array:
+    """Return times that count from the start of a film; raise InputError as `check_times` does.
+
+    Warns of a late beginning, up to which the first row is held. Times that no film has are those of a clock:
+    they begin at 0.
+    """
+    from_zero = check_times(times, path, lines)
+    start = float(times[0])
+    if start < 0.0 or float(times[-1]) > MAX_SECONDS:
+        return from_zero
+    if start > LATE:
+        place = Place(str(path), lines[0])
+        warn(f"{place}: the first row is at {start:g} s, and is held from 0 s on", RisoriusWarning)
+    return times
+
+
+def rows_of_face(table: Table, column: str, face: int | None) -> Table:
+    """Return the rows of one face of a table that numbers them in a column.
+
+    Raises InputError, with the faces that there are, if it has several and none is named, or another one.
+    """
+    place = Place(str(table.path))
+    if column not in table.names:
+        if face is not None:
+            raise InputError(f"has no column '{column}'; expected no --face", place)
+        return table
+    numbers = table.of([column])[:, 0]
+    faces = [f"{number:g}" for number in np.unique(numbers).tolist()]
+    listed = ", ".join(faces)
+    if face is None:
+        if len(faces) > 1:
+            raise InputError(
+                f"has {len(faces)} faces: {listed}; expected one of them, e.g. --face {faces[0]}", place
+            )
+        return table
+    if str(face) not in faces:
+        raise InputError(f"has no face {face}; expected one of {listed}", place)
+    return table.rows(numbers == face)
 
 
 def check_length(seconds: float, place: Place) -> None:

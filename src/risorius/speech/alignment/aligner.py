@@ -18,7 +18,7 @@ from ...errors import InputError
 from ...languages import phonesets
 from ..resampled import Resampled
 from ..structure.build import build_utterance
-from .confidence import check_words, mean_score
+from .confidence import check_words, mean_score, words_score
 from .decoder import MODEL_LANGUAGE, AlignedPhone, AlignmentError, Decoders, Readings, with_decoders
 from .edges import place_edges
 from .glottal import glottal_starts
@@ -26,6 +26,9 @@ from .hiss_ends import hiss_ends
 from .lexicon import ScriptWord, read_transcript, stresses_of
 from .silences import without_gaps
 from .spectra import band_levels
+from .speech_activity import LEAST_LEFT_OUT, Condensed, condensed
+from .speech_region import is_lost, speech_region
+from .unheard_pauses import with_pauses
 from .voice_ends import shared_sounds, voice_ends
 from .windows import WHOLE, Window, windows
 
@@ -33,6 +36,8 @@ from .windows import WHOLE, Window, windows
 UNHEARD_CLOSURE = 0.015
 # Seconds that an edge keeps from the ends of what is around it.
 _LEAST = 0.005
+# Log likelihood per frame by which words may fit worse where they are sought.
+_WORSE = 5.0
 
 
 def align(
@@ -49,6 +54,26 @@ def align(
     return assembled(audio, transcript, found.phones, found.words, found.language)
 
 
+def _within(
+    found: Decoded, sound: Condensed, region: tuple[float, float], readings: Sequence[Readings], usual: float
+) -> tuple[Decoded, Condensed, tuple[tuple[float, float], ...]]:
+    """Return words aligned in a region alone, its sound, and what is left out, if they fit there.
+
+    Words that are lost in music may fit it a little better than the speech.
+    """
+    part = sound.cut(*region)
+    try:
+        again = decoded(part, readings)
+    except InputError:
+        return found, sound, ()
+    if is_lost(again.rough, usual) and words_score(again.rough) < words_score(found.rough) - _WORSE:
+        return found, sound, ()
+    start, end = region
+    around = ((0.0, start), (end, sound.audio.duration))
+    left_out = [(sound.time(a), sound.time(b)) for a, b in around if b - a > LEAST_LEFT_OUT]
+    return again, part, tuple(left_out)
+
+
 class Located(NamedTuple):
     """An alignment: phones and silences, contiguous; the words that they belong to, and their language."""
 
@@ -61,19 +86,19 @@ def located(
     audio: Audio, transcript: str, language: str | None = None, progress: Progress = quiet
 ) -> Located:
     """Return where in a recording the phones of its transcript are; raises and warns as `align` does."""
-    resampled = Resampled(audio)
     spoken, words = read_transcript(transcript, language)
+    sound = condensed(Resampled(audio))
     readings = [word.readings for word in words]
-
-    def work(decoders: Decoders) -> list[tuple[list[AlignedPhone], list[AlignedPhone]]]:
-        # A stretch is refined while the next is decoded.
-        found = _stretches(resampled, readings, decoders, progress)
-        return [(stretch, refined(resampled, stretch)) for stretch in found]
-
-    stretches = with_decoders(work)
-    aligned = [phone for _, stretch in stretches for phone in stretch]
-    check_words(words, [phone for stretch, _ in stretches for phone in stretch])
-    return Located(owned(aligned, words), words, spoken.language)
+    found = decoded(sound, readings, progress)
+    left_out: tuple[tuple[float, float], ...] = ()
+    if is_lost(found.rough, spoken.duration):
+        region = with_decoders(
+            lambda decoders: speech_region(Resampled(sound.audio), readings, spoken.duration, decoders)
+        )
+        if region is not None:
+            found, sound, left_out = _within(found, sound, region, readings, spoken.duration)
+    check_words(words, found.rough, sound.time, left_out)
+    return Located(owned(found.phones, words), words, spoken.language)
 
 
 def owned(aligned: Sequence[AlignedPhone], words: Sequence[ScriptWord]) -> list[AlignedPhone]:
@@ -107,14 +132,42 @@ def assembled(
     return build_utterance(text, code, audio, phones, timed)
 
 
-def decoded(
-    resampled: Resampled, words: Sequence[Readings], progress: Progress = quiet
-) -> list[list[AlignedPhone]]:
-    """Return the decoders' phones and silences, stretch by stretch, contiguous over the recording.
+class Decoded(NamedTuple):
+    """Phones and silences: `rough` as the decoder finds them in the condensed sound, with their scores; and
+    `phones` with edges placed by the sound, at their times in the recording. Both are contiguous.
+    """
+
+    rough: Sequence[AlignedPhone]
+    phones: Sequence[AlignedPhone]
+
+
+def decoded(sound: Condensed, words: Sequence[Readings], progress: Progress = quiet) -> Decoded:
+    """Return where a recording's words are.
 
     Raises InputError if the recording has no room for the words, SpeechError if the aligner fails.
     """
-    return with_decoders(lambda decoders: list(_stretches(resampled, words, decoders, progress)))
+    resampled = Resampled(sound.audio)
+
+    def work(decoders: Decoders) -> list[tuple[list[AlignedPhone], list[AlignedPhone]]]:
+        # A stretch is refined while the next is decoded.
+        found = _stretches(resampled, words, decoders, progress)
+        return [(stretch, refined(resampled, stretch)) for stretch in found]
+
+    try:
+        stretches = with_decoders(work)
+    except _NoRoomError as error:
+        span = f"{sound.time(error.start):.2f} to {sound.time(error.end):.2f} s"
+        message = f"the transcript does not fit the recording; {error.count} words do not fit into {span}"
+        raise InputError(message) from None
+    rough = [phone for stretch, _ in stretches for phone in stretch]
+    return Decoded(rough, sound.placed([phone for _, stretch in stretches for phone in stretch]))
+
+
+class _NoRoomError(Exception):
+    """The `count` words of a window do not fit into [start, end) seconds."""
+
+    def __init__(self, window: Window) -> None:
+        self.start, self.end, self.count = window.start, window.end, window.last - window.first
 
 
 def _stretches(
@@ -141,9 +194,7 @@ def _stretch(window: Window, alignment: Future[list[AlignedPhone]] | None) -> li
     try:
         aligned = alignment.result()
     except AlignmentError:
-        span, count = f"{window.start:.2f} to {window.end:.2f} s", window.last - window.first
-        message = f"the transcript does not fit the recording; {count} words do not fit into {span}"
-        raise InputError(message) from None
+        raise _NoRoomError(window) from None
     return without_gaps(moved(aligned, window.start, window.end, window.first))
 
 
@@ -166,9 +217,10 @@ def moved(aligned: Sequence[AlignedPhone], start: float, end: float, first: int)
 
 
 def refined(resampled: Resampled, aligned: Sequence[AlignedPhone]) -> list[AlignedPhone]:
-    """Return one stretch with its inner edges placed by the sound."""
+    """Return one stretch with its inner edges placed by the sound, and with pauses that were not heard."""
     start, end = aligned[0].start, aligned[-1].end
     levels = band_levels(resampled.read(start, end))
+    aligned = with_pauses(levels, aligned, start)
     edges = np.array([phone.start - start for phone in aligned[1:]])
     symbols = [phone.symbol for phone in aligned]
     placed = voice_ends(levels, aligned, place_edges(levels, symbols, edges))

@@ -28,7 +28,7 @@ def voice_stops(levels: Array, before: str, edges: Int64Array) -> tuple[int, int
 
     `before` is the phone between the first two. None if the voice does not stop.
     """
-    first, edge, end = edges.tolist()
+    first, edge, end = np.clip(edges, 0, len(levels)).tolist()
     if not first < edge < end:
         return None
     earliest = max(first, edge - round(_BEFORE / STEP_SECONDS))

@@ -23,6 +23,7 @@ from ..text.normalise import NormalisedText
 from ..text.sentences import TextStretch
 from ..text.tokens import Token
 from .retime import is_timed, retime
+from .sync_times import at_sync_times, has_times
 from .timing import NO_TOKEN, Segment, settle
 from .words import Transcriber, assign
 
@@ -128,7 +129,7 @@ def _spoken(
 ) -> list[Segment]:
     """Append the sound of a line to `writer`, and return its segments with indices into its own tokens."""
     rate, start = writer.sample_rate, writer.frames
-    timed = is_timed(line.directions)
+    timed = is_timed(line.directions) or has_times(line.directions)
     sound: list[Samples] = []
     write = sound.append if timed else writer.append
     segments, at = _silence(start, line.lead, rate)
@@ -145,9 +146,20 @@ def _spoken(
     if all(segment.token == NO_TOKEN for segment in segments):
         raise InputError("nothing in the text can be spoken by this voice; expected words of its language")
     if timed:
-        samples, segments = retime(np.concatenate(sound), segments, line.tokens, line.directions, rate)
+        samples, segments = _at_times(np.concatenate(sound), segments, line, rate)
         writer.append(samples)
     return segments
+
+
+def _at_times(
+    samples: Samples, segments: list[Segment], line: PreparedLine, rate: int
+) -> tuple[Samples, list[Segment]]:
+    """Return a line's sound and segments with the times that its script gives."""
+    if is_timed(line.directions):
+        samples, segments = retime(samples, segments, line.tokens, line.directions, rate)
+    if has_times(line.directions):
+        samples, segments = at_sync_times(samples, segments, line.tokens, line.directions, rate)
+    return samples, segments
 
 
 def _silence(start: int, seconds: float, sample_rate: int) -> tuple[list[Segment], int]:
