@@ -21,10 +21,14 @@ class _SpeechWriter(SsmlWriter):
         if node.name != "sync":
             super().perform(node)
             return
-        name = node.required("id", 'id="tm1"').value.strip()
+        self.at_edge = True
+        self.name_place(node.required("id", 'id="tm1"').value.strip(), node)
+
+    def name_place(self, name: str, node: XmlNode) -> None:
+        """Name the place that is reached; raise InputError if it is named already."""
         if any(sync.name == name for sync in self.syncs):
             raise InputError(f"sync point '{one_line(name)}' is set twice; expected it once", node.place)
-        self.syncs.append(Sync(name, len(self.text), node.place))
+        super().name_place(name, node)
 
 
 def read_words(node: XmlNode, unknowns: Unknowns) -> tuple[str, Directions]:

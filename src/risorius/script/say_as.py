@@ -5,6 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 
+def said_as(kind: str, words: str, form: str | None = None) -> str | None:
+    """Return what is said for `words`, by `interpret-as` and `format`; None for a kind that is not known."""
+    reader = SAY_AS.get(kind)
+    return None if reader is None else reader(words)
+
+
 def _spelt(words: str) -> str:
     return ", ".join(char.upper() for char in words if char.isalnum())
 
@@ -36,4 +42,4 @@ SAY_AS: Mapping[str, Callable[[str], str]] = {
     "currency": _as_written,
     "unit": _as_written,
 }
-"""The reader of each `interpret-as`; dates and times need a format, and are not understood."""
+"""The reader of each `interpret-as`."""

@@ -25,6 +25,7 @@ from .recordings.recording import read_recording
 from .recordings.tone_labels import tells_accents, tells_boundaries
 from .structure.accents import intone
 from .structure.lines import whole
+from .structure.marks import with_marks
 
 WEAKER = "there is no transcript: words are recognized from the sound, with errors; check them in a TextGrid"
 
@@ -67,6 +68,7 @@ def align_recording(
         utterance = hear_words(audio, recording.transcript, progress, language)
     else:
         utterance = with_written_tones(_hear_script(audio, script, progress, language), script)
+        utterance = _with_marks(utterance, script)
     return script or _script_of(utterance, str(audio)), utterance
 
 
@@ -145,6 +147,12 @@ def with_written_tones(utterance: Utterance, script: Script) -> Utterance:
         return utterance
     tones = Directions(accents=tuple(accents), boundaries=tuple(ends))
     return intone(utterance, (whole(utterance.text, utterance.phones, tones),))
+
+
+def _with_marks(utterance: Utterance, script: Script) -> Utterance:
+    """Return the utterance with the times of the places that the script names."""
+    syncs = tuple(s for line in script.lines for s in line.directions.moved(line.source_offset).syncs)
+    return with_marks(utterance, (whole(utterance.text, utterance.phones, Directions(syncs=syncs)),))
 
 
 def _script_of(utterance: Utterance, source: str) -> Script:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_right
 from collections.abc import Callable, Iterator, MutableMapping, Sequence
 from dataclasses import dataclass, replace
@@ -11,6 +12,7 @@ from ..core.directions import UNDIRECTED, DirectedSpan, Directions
 from ..core.speech.voice_style import PLAIN, VoiceAdjustment
 from ..errors import InputError, Place, SpeechWarning, warn
 from ..languages import Language, language_of
+from ..languages.abbreviations import Replacement
 from .assembly.assemble import LINE_PAUSE, PreparedLine, SpokenPart
 from .assembly.lengthen import scale_pauses
 from .assembly.retime import is_timed
@@ -20,8 +22,11 @@ from .engines.voices import find_voice
 from .structure.context import PlacedWord, context_of, raised
 from .text.normalise import normalise, placed
 from .text.sentences import divide
+from .text.shape import one_word_each, without_pauses
 from .text.tokens import Token, tokenize, with_words
 
+MOST_SEMITONES = 24.0
+"""The furthest that a pitch in Hz moves a voice."""
 KnownRenditions = MutableMapping[SpeechRequest, Rendition]
 """The renditions of a voice, by their requests."""
 
@@ -71,7 +76,12 @@ class Speaker:
         `offset`, `time` and `gap` as in PreparedLine; without a `gap` it is the usual one. Raises InputError
         for directions that the voice's language does not allow.
         """
-        tokens = with_words(tokenize(text), self.language.words)
+        directions = self._in_semitones(directions)
+        dictated = _dictated(directions)
+        text = without_pauses(text, directions.breaks)
+        shape = one_word_each(text, dictated)
+        found = with_words(tokenize(shape), self.language.words)
+        tokens = [Token(text[token.start : token.end], token.start, token.end) for token in found]
         if is_timed(directions) and not self.language.mnemonics.dictated:
             timed = next(span for span in directions.spans if span.seconds)
             message = f"durations of phonemes in '{self.voice.language}'; expected an English voice for them"
@@ -79,16 +89,35 @@ class Speaker:
         if directions.answers and not directions.accents:
             directions = _answering(text, tokens, directions, self.language)
         return PreparedLine(
-            text, tokens, directions, offset, time, LINE_PAUSE if gap is None else gap, *silences
+            text,
+            tokens,
+            directions,
+            offset,
+            time,
+            LINE_PAUSE if gap is None else gap,
+            *silences,
+            shape=shape,
+            dictated=dictated,
         )
+
+    def _in_semitones(self, directions: Directions) -> Directions:
+        """Return directions without Hertz, which count from the voice's own pitch."""
+        if all(span.pitch is None for span in directions.spans):
+            return directions
+        own = self.mean_pitch
+        if own is None:
+            place = next(span.place for span in directions.spans if span.pitch is not None)
+            message = f"{place}: the voice's own pitch is not known; a pitch in Hz is left out"
+            warn(message, SpeechWarning)
+        return replace(directions, spans=tuple(_in_semitones(span, own) for span in directions.spans))
 
     def speak(self, line: PreparedLine) -> Iterator[SpokenPart]:
         """Speak a line, stretch by stretch; warn of sounds that had to be guessed."""
         text, language = line.text, self.language
-        stretches = divide(text, language)
+        stretches = divide(line.shape, language)
         guessed: dict[str, None] = {}
         for number, stretch in enumerate(stretches):
-            spoken = normalise(text, stretch.start, stretch.end, language)
+            spoken = normalise(text, stretch.start, stretch.end, language, line.dictated)
             last = number + 1 == len(stretches)
             request = SpeechRequest(
                 spoken.text,
@@ -115,6 +144,27 @@ class Speaker:
         rendition = self.spoken.get(request) or self.engine.synthesize(request)
         self.spoken[request] = rendition
         return rendition
+
+
+def _in_semitones(span: DirectedSpan, own: float | None) -> DirectedSpan:
+    if span.pitch is None:
+        return span
+    if own is None:
+        return replace(span, pitch=None)
+    wanted = own + span.pitch.value if span.pitch.added else span.pitch.value
+    semitones = 12.0 * math.log2(max(wanted, 1.0) / own)
+    semitones = max(-MOST_SEMITONES, min(semitones, MOST_SEMITONES))
+    return replace(span, pitch=None, manner=span.manner.then(VoiceAdjustment(pitch=semitones)))
+
+
+def _dictated(directions: Directions) -> tuple[Replacement, ...]:
+    """Return what is said in place of what is written; of two stretches that overlap, the first."""
+    spans = sorted((s for s in directions.spans if s.spoken is not None), key=lambda s: s.start)
+    chosen: list[Replacement] = []
+    for span in spans:
+        if not chosen or span.start >= chosen[-1].end:
+            chosen.append(Replacement(span.start, span.end, ((span.spoken or "", span.start),)))
+    return tuple(chosen)
 
 
 def find_speaker(name: str | None, language: str | None, engine: SpeechEngine | None = None) -> Speaker:

@@ -16,6 +16,7 @@ from ...core.directions import Directions
 from ...core.speech.audio import Audio, AudioWriter, Samples
 from ...core.speech.utterance import SILENCE, Phone, Word
 from ...errors import InputError
+from ...languages.abbreviations import Replacement
 from ..engines.protocol import Rendition
 from ..structure.lines import TextLine
 from ..structure.pauses import punctuation_kind
@@ -41,8 +42,10 @@ class SpokenPart(NamedTuple):
 class PreparedLine(NamedTuple):
     """A line that is to be spoken: `offset` is its first character in the whole text.
 
-    `tokens` and `directions` count the characters of the line. `time`: where its sound starts; if it is None,
-    `gap` after the line before. `lead` and `tail`: the silence around it. All in seconds.
+    `tokens` and `directions` count the characters of the line. `dictated`: what is said in place of what is
+    written; `shape`: the text with letters there, in which sentences are found. `time`: where its sound
+    starts; if it is None, `gap` after the line before. `lead` and `tail`: the silence around it. All in
+    seconds.
     """
 
     text: str
@@ -53,6 +56,8 @@ class PreparedLine(NamedTuple):
     gap: float = LINE_PAUSE
     lead: float = 0.0
     tail: float = 0.0
+    shape: str = ""
+    dictated: Sequence[Replacement] = ()
 
 
 class SpokenText(NamedTuple):
