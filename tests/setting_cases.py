@@ -15,6 +15,7 @@ CASES: dict[str, object] = {
     "rate": 120,
     "voice_emotion": False,
     "answers": "Who is it?",
+    "format": "markdown",
     "lead": 0.25,
     "tail": 0.25,
     "profile": "lively",

@@ -23,6 +23,7 @@ from risorius.core.speech.utterance import Utterance
 from risorius.errors import RisoriusError, UnusedSettingError
 from risorius.rules.emotions import Display
 from risorius.script import Script, parse_script
+from risorius.script.plain import TextForm
 from risorius.settings import Settings, settings_of
 from risorius.settings.declare import Row, Stage, rows
 from risorius.solvers import solver_key
@@ -82,7 +83,8 @@ def _script() -> Script:
 def said(settings: Settings) -> object:
     utterance = pipeline.speak(_script(), ANGRY, settings, quiet, None)
     assert utterance is not None
-    return utterance.phones, utterance.audio.read().tobytes()
+    form = TextForm(settings.format)
+    return utterance.phones, utterance.audio.read().tobytes(), parse_script("# One", ".txt", form=form).text
 
 
 def planned(spoken: Utterance, settings: Settings) -> object:

@@ -22,6 +22,7 @@ from .ports.score.score_json import read_score_file
 from .rules.emotions import Display, Displays, parse_display
 from .rules.poses import posed
 from .rules.rule_set import emotions_of
+from .script.plain import TextForm
 from .settings import BlendChoices, Settings
 from .speech import Input, Recording, align_recording, read, read_transcript
 from .speech.recordings.recording import read_recording
@@ -63,7 +64,9 @@ def speak(
         choices = {"emotion": emotion or (), "audio": audio, "transcript": transcript}
         return _mix(script, settings, BlendChoices(), progress, **choices)
     displays = displays_of(emotion, settings)
-    named = Input(script, audio, transcript, text, source, language=settings.language)
+    named = Input(
+        script, audio, transcript, text, source, language=settings.language, form=TextForm(settings.format)
+    )
     return perform_input(named, displays, settings, progress)
 
 

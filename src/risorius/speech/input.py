@@ -9,6 +9,7 @@ from pathlib import Path
 from ..errors import InputError, Place
 from ..script import Script, parse_script, read_script
 from ..script.files import names_something, read_text
+from ..script.plain import USUAL_FORM, TextForm
 from .from_recording import LabelledRecording, Recording
 
 LABELS_SUFFIX = ".textgrid"
@@ -25,7 +26,7 @@ class Input:
     `script`: a text or the name of a file, a TextGrid among them; `text` takes it as a text whatever it looks
     like, `name` stands for it in messages. `audio`: the file of a recording; `transcript`: its words, or the
     name of a file with them; `language`: that of a recording's words. `content`: what the file `script`
-    holds, if it is not to be read from there.
+    holds, if it is not to be read from there. `form`: that of a text.
     """
 
     script: str | None = None
@@ -35,6 +36,7 @@ class Input:
     name: str = "text"
     content: str | None = None
     language: str | None = None
+    form: TextForm = USUAL_FORM
 
     @property
     def labels(self) -> str | None:
@@ -65,8 +67,8 @@ def read(source: Input) -> SpeechSource:
 
 def _script(source: Input, script: str) -> Script:
     if source.content is not None:
-        return parse_script(source.content, Path(script).suffix.lower(), script)
-    return read_script(script, text=source.text, source=source.name)
+        return parse_script(source.content, Path(script).suffix.lower(), script, source.form)
+    return read_script(script, text=source.text, source=source.name, form=source.form)
 
 
 def read_transcript(transcript: str | None) -> str | None:

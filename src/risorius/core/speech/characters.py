@@ -4,6 +4,8 @@ from __future__ import annotations
 
 HIDDEN = "\u200b"
 """Stands in a text for a character that is neither spoken nor shown, such as a mark of Markdown."""
+BLOCK_END = "\u2029"
+"""Stands in a text for a line end with which a sentence ends, as after a heading or an item of a list."""
 
 
 def stands_alone(char: str) -> bool:
@@ -14,3 +16,8 @@ def stands_alone(char: str) -> bool:
         or "\u4e00" <= char <= "\u9fff"
         or "\U00020000" <= char <= "\U0003134f"
     )
+
+
+def shown(text: str) -> str:
+    """Return a text as it is shown to readers: without hidden characters, separators as line ends."""
+    return text.replace(HIDDEN, "").replace(BLOCK_END, "\n")
