@@ -34,16 +34,14 @@ def language_of(code: str) -> Language:
 
     A language without a folder is as the undetermined one.
     """
-    parts = code.lower().replace("_", "-").split("-")
-    names = ("-".join(parts[:count]) for count in range(len(parts), 0, -1))
-    return _language(next((name for name in names if name in languages()), UNDETERMINED))
+    return _language(folder_of(code))
 
 
 @cache
 def _language(code: str) -> Language:
-    table = _read(LanguageTable, code, "language.toml")
-    phones = _read(PhoneTable, code, "phones.toml")
-    listed = _read(WordList, code, "words.toml")
+    table = read_table(LanguageTable, code, "language.toml")
+    phones = read_table(PhoneTable, code, "phones.toml")
+    listed = read_table(WordList, code, "words.toml")
     return Language(
         code=code,
         name=table.name,
@@ -60,22 +58,34 @@ def _language(code: str) -> Language:
         spellings=phones.spellings,
         tone_letters=phones.tones,
         words=frozenset(word for words in listed.words.values() for word in words.split()),
-        abbreviations=_read(Abbreviations, code, "abbreviations.toml"),
+        abbreviations=read_table(Abbreviations, code, "abbreviations.toml"),
         mnemonics=_mnemonics(code),
-        intonation=_read(IntonationTable, code, "intonation.toml"),
+        intonation=read_table(IntonationTable, code, "intonation.toml"),
         number_readings=_number_readings(code),
     )
 
 
 def _mnemonics(code: str) -> Mnemonics:
     """Return how espeak-ng spells a language's phones; raise InputError if it dictates some, but not all."""
-    table = _read(Mnemonics, code, "mnemonics.toml")
+    table = read_table(Mnemonics, code, "mnemonics.toml")
     if table.dictated:
         check_phones(f"{code}/mnemonics.toml", table.dictated)
     return table
 
 
-def _read(cls: type[T], code: str, name: str) -> T:
+def folder_of(code: str) -> str:
+    """Return the code of the folder of a language (BCP 47), "und" for a language without one."""
+    parts = code.lower().replace("_", "-").split("-")
+    names = ("-".join(parts[:count]) for count in range(len(parts), 0, -1))
+    return next((name for name in names if name in languages()), UNDETERMINED)
+
+
+def has_file(code: str, name: str) -> bool:
+    """Tell whether the folder of a language has a file."""
+    return (_FOLDER / code / name).is_file()
+
+
+def read_table(cls: type[T], code: str, name: str) -> T:
     """Return a file of a language, laid over that of the undetermined one; either may be missing."""
     text, tables = _tables(code, name)
     if code != UNDETERMINED:
@@ -105,7 +115,7 @@ def _laid_over(base: Mapping[str, Any], tables: Mapping[str, Any]) -> dict[str, 
 
 
 def _number_readings(code: str) -> NumberReadings:
-    if not (_FOLDER / code / "numbers.py").is_file():
+    if not has_file(code, "numbers.py"):
         return lambda text: ()
     module = importlib.import_module(f"{__package__}.{code}.numbers")
     return cast(NumberReadings, module.number_readings)

@@ -12,7 +12,6 @@ from ..core.directions import UNDIRECTED, DirectedSpan, Directions
 from ..core.speech.voice_style import PLAIN, VoiceAdjustment
 from ..errors import InputError, Place, SpeechWarning, warn
 from ..languages import Language, language_of
-from ..languages.abbreviations import Replacement
 from .assembly.assemble import LINE_PAUSE, PreparedLine, SpokenPart
 from .assembly.lengthen import scale_pauses
 from .assembly.retime import is_timed
@@ -22,8 +21,8 @@ from .engines.voices import find_voice
 from .structure.context import PlacedWord, context_of, raised
 from .text.normalise import normalise, placed
 from .text.sentences import divide
-from .text.shape import one_word_each, without_pauses
-from .text.tokens import Token, tokenize, with_words
+from .text.shape import worded
+from .text.tokens import Token
 
 MOST_SEMITONES = 24.0
 """The furthest that a pitch in Hz moves a voice."""
@@ -77,27 +76,23 @@ class Speaker:
         for directions that the voice's language does not allow.
         """
         directions = self._in_semitones(directions)
-        dictated = _dictated(directions)
-        text = without_pauses(text, directions.breaks)
-        shape = one_word_each(text, dictated)
-        found = with_words(tokenize(shape), self.language.words)
-        tokens = [Token(text[token.start : token.end], token.start, token.end) for token in found]
+        words = worded(text, directions, self.language, self.voice.language)
         if is_timed(directions) and not self.language.mnemonics.dictated:
             timed = next(span for span in directions.spans if span.seconds)
             message = f"durations of phonemes in '{self.voice.language}'; expected an English voice for them"
             raise InputError(message, timed.place)
         if directions.answers and not directions.accents:
-            directions = _answering(text, tokens, directions, self.language)
+            directions = _answering(text, words.tokens, directions, self.language)
         return PreparedLine(
-            text,
-            tokens,
+            words.text,
+            words.tokens,
             directions,
             offset,
             time,
             LINE_PAUSE if gap is None else gap,
             *silences,
-            shape=shape,
-            dictated=dictated,
+            shape=words.shape,
+            dictated=words.dictated,
         )
 
     def _in_semitones(self, directions: Directions) -> Directions:
@@ -155,16 +150,6 @@ def _in_semitones(span: DirectedSpan, own: float | None) -> DirectedSpan:
     semitones = 12.0 * math.log2(max(wanted, 1.0) / own)
     semitones = max(-MOST_SEMITONES, min(semitones, MOST_SEMITONES))
     return replace(span, pitch=None, manner=span.manner.then(VoiceAdjustment(pitch=semitones)))
-
-
-def _dictated(directions: Directions) -> tuple[Replacement, ...]:
-    """Return what is said in place of what is written; of two stretches that overlap, the first."""
-    spans = sorted((s for s in directions.spans if s.spoken is not None), key=lambda s: s.start)
-    chosen: list[Replacement] = []
-    for span in spans:
-        if not chosen or span.start >= chosen[-1].end:
-            chosen.append(Replacement(span.start, span.end, ((span.spoken or "", span.start),)))
-    return tuple(chosen)
 
 
 def find_speaker(name: str | None, language: str | None, engine: SpeechEngine | None = None) -> Speaker:

@@ -65,7 +65,9 @@ def replacements(
     at = start
     for given in (*dictated, Replacement(end, end, ())):
         if given.start >= start and given.end <= end:
-            yield from written_out(text, at, given.start, language.abbreviations, language.function_words)
+            yield from written_out(
+                text, at, given.start, language.abbreviations, language.function_words, stop=end
+            )
             at = given.end
             if given.start < given.end:
                 yield given

@@ -1,21 +1,91 @@
-"""The text in which words and sentences are found: each character at its place, some replaced."""
+"""Words of a text of which parts are said otherwise than written: each part is a word, or several."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 
-from ...core.directions import Break
+from ...core.directions import Break, Directions
+from ...languages import Language
 from ...languages.abbreviations import Replacement
+from ...languages.spoken_forms import read_otherwise
+from .tokens import BREAKS, Token, tokenize, with_words
 
-_LETTER = "x"
 _PAUSES = frozenset(".,;:!?\u2026\u2013\u2014()\u3001\u3002\uff0c\uff01\uff1f\uff1b\uff1a")
+# A character that is a word by itself, and one that is part of none.
+_ALONE, _NOTHING = "\u3400", BREAKS[0]
+_AROUND = " \u00a0,.;:-"
 
 
-def one_word_each(text: str, replacements: Iterable[Replacement]) -> str:
-    """Return `text` with letters for each stretch that is read otherwise, so that it is one word."""
-    for piece in replacements:
-        text = text[: piece.start] + _LETTER * (piece.end - piece.start) + text[piece.end :]
-    return text
+@dataclass(frozen=True, slots=True)
+class WordedText:
+    """A text with its words: `dictated` parts are said otherwise, and are plain letters in `shape`."""
+
+    text: str
+    shape: str
+    tokens: tuple[Token, ...]
+    dictated: tuple[Replacement, ...]
+
+
+def worded(text: str, directions: Directions, language: Language, variant: str) -> WordedText:
+    """Return a text with its words; `variant` is the voice's language (BCP 47)."""
+    text = without_pauses(text, directions.breaks)
+    dictated = _dictated(text, directions, variant)
+    if not dictated:
+        return WordedText(text, text, with_words(tokenize(text), language.words), ())
+    parts: list[tuple[int, int]] = []
+    shape = list(text)
+    for piece in dictated:
+        for start, stop, end, said in _words(piece, text):
+            parts.append((start, stop))
+            shape[start:stop] = _letters(text[start:stop])
+            if not said.endswith("."):
+                # A full stop that is not said ends no sentence.
+                shape[stop:end] = text[stop:end].replace(".", _NOTHING)
+    shaped = "".join(shape)
+    ends = dict(parts)
+    tokens = tuple(
+        Token(text[t.start : ends.get(t.start, t.end)], t.start, ends.get(t.start, t.end))
+        for t in with_words(tokenize(shaped), language.words)
+    )
+    return WordedText(text, shaped, tokens, dictated)
+
+
+def _dictated(text: str, directions: Directions, variant: str) -> tuple[Replacement, ...]:
+    """Return what is said otherwise: as the directions ask, else as the language does."""
+    asked = sorted((s for s in directions.spans if s.spoken is not None), key=lambda span: span.start)
+    fixed = [(s.start, s.end) for s in directions.spans if s.spoken is not None or s.phones]
+    found = [
+        piece
+        for piece in read_otherwise(text, variant)
+        if not any(start < piece.end and piece.start < end for start, end in fixed)
+    ]
+    chosen: list[Replacement] = []
+    for span in asked:
+        if not chosen or span.start >= chosen[-1].end:
+            said = ((span.spoken or "", span.start),)
+            chosen.append(Replacement(span.start, span.end, said, joined=True))
+    return tuple(sorted([*chosen, *found]))
+
+
+def _words(piece: Replacement, text: str) -> Iterator[tuple[int, int, int, str]]:
+    """Yield where each word of a piece begins and ends, where the next one begins, and what is said."""
+    starts = [source for _, source in piece.read]
+    for (said, start), end in zip(piece.read, [*starts[1:], piece.end], strict=True):
+        stop = end
+        while stop > start + 1 and text[stop - 1] in _AROUND:
+            stop -= 1
+        if start < end:
+            yield start, stop, end, said
+
+
+def _letters(written: str) -> str:
+    """Return letters, or digits, in place of a word, by which it is one word; a sign stands alone."""
+    if written[0].isdigit():
+        return "0" * len(written)
+    if any(char.isalnum() for char in written):
+        return ("X" if written[0].isupper() else "x") + "x" * (len(written) - 1)
+    return _ALONE + _NOTHING * (len(written) - 1)
 
 
 def without_pauses(text: str, breaks: Iterable[Break]) -> str:
