@@ -7,6 +7,7 @@ import unicodedata
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
+from types import ModuleType
 from typing import Any, TypeVar, cast
 
 from ..reading.schema import build
@@ -80,9 +81,11 @@ def folder_of(code: str) -> str:
     return next((name for name in names if name in languages()), UNDETERMINED)
 
 
-def has_file(code: str, name: str) -> bool:
-    """Tell whether the folder of a language has a file."""
-    return (_FOLDER / code / name).is_file()
+def module_of(code: str, name: str) -> ModuleType | None:
+    """Return a module in the folder of a language, None if it has none of that name."""
+    if not (_FOLDER / code / f"{name}.py").is_file():
+        return None
+    return importlib.import_module(f"{__package__}.{code}.{name}")
 
 
 def read_table(cls: type[T], code: str, name: str) -> T:
@@ -115,7 +118,5 @@ def _laid_over(base: Mapping[str, Any], tables: Mapping[str, Any]) -> dict[str, 
 
 
 def _number_readings(code: str) -> NumberReadings:
-    if not has_file(code, "numbers.py"):
-        return lambda text: ()
-    module = importlib.import_module(f"{__package__}.{code}.numbers")
-    return cast(NumberReadings, module.number_readings)
+    module = module_of(code, "numbers")
+    return cast(NumberReadings, getattr(module, "number_readings", lambda text: ()))

@@ -6,7 +6,6 @@
 
 from __future__ import annotations
 
-import importlib
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -14,7 +13,7 @@ from functools import cache, cached_property
 from typing import NamedTuple
 
 from .abbreviations import ReadText, Replacement
-from .load import has_file, read_table
+from .load import module_of, read_table
 
 _GROUPS = re.compile(r"(?<![\d.,/:-])\d{1,3}(?:[ \u00a0\u2009\u202f]\d{3})+(?![\d/:-]|[.,]\d{3}\b)")
 _ISO = re.compile(
@@ -27,11 +26,14 @@ _TIME = re.compile(
     r"(?<![\w:.,/-])(?P<hour>[01]?\d|2[0-4])(?P<sign>[:.h])(?P<minute>[0-5]\d)(?::(?P<second>[0-5]\d))?(?![\w:/-]|[.,]\d)"
 )
 _FRACTION = re.compile(r"(?P<whole>(?<![\d.,])\d{1,6}[ \u00a0]?)?(?P<sign>[\u00bc-\u00be\u2150-\u215e])")
+_SLASHED = re.compile(r"(?<![\w./:-])(\d{1,4} )?(\d{1,2}/\d{1,2})(?![\w/-]|[.,]\d)")
+_RANGE = re.compile(r"(?<![\w.,/:-])(\d{1,4})-(\d{1,4})(?![\w/:-]|[.,]\d)")
 _EMAIL = re.compile(r"(?<![\w.+-])[\w.+-]{1,64}@[\w-]{1,63}(?:\.[\w-]{1,63}){1,5}(?!\w)")
 _URL = re.compile(
     r"(?<![\w@./])(?:https?://|www\.)[^\s<>\"\u201c\u201d\u00ab\u00bb]{1,300}[^\s<>\"\u201c\u201d\u00ab\u00bb.,;:!?)\]}'\u2019\u2026*/]",
     re.IGNORECASE,
 )
+_MINUS = re.compile(r"(?<![\w).,-])[-\u2212](\d[\d.,]*(?<=\d))(?![\w/:-])")
 _ARROW = re.compile(r"[\u2190-\u21ff\u2794-\u27be\u27f5-\u27ff]")
 _VULGAR = {
     "\u00bd": (1, 2), "\u00bc": (1, 4), "\u00be": (3, 4), "\u2153": (1, 3), "\u2154": (2, 3),
@@ -39,18 +41,19 @@ _VULGAR = {
     "\u215a": (5, 6), "\u2150": (1, 7), "\u215b": (1, 8), "\u215c": (3, 8), "\u215d": (5, 8),
     "\u215e": (7, 8), "\u2151": (1, 9), "\u2152": (1, 10),
 }  # fmt: skip
-_OWN = "readings.py"
 
 
 @dataclass(frozen=True, slots=True)
 class DateTable:
     """The words of a date. `order`: of the numbers in 4/23/2021: `mdy` or `dmy`; `signs`: those between them.
 
-    `template` has {day}, {month} and {year}; `days`: words for the days, if they are not their numbers.
+    `template` has {day}, {month} and {year}; `days`: words for the days, if they are not their numbers, or
+    `first` for the first one alone.
     """
 
     months: tuple[str, ...] = ()
     days: tuple[str, ...] = ()
+    first: str = ""
     template: str = ""
     order: str = "dmy"
     signs: str = "/."
@@ -60,13 +63,14 @@ class DateTable:
 class TimeTable:
     """The words of a time of day, with {hour}, {minute} and {second}.
 
-    `full`: without minutes, `late`: so after 12.
+    `full`: without minutes, `one`: so at 1, `late`: so after 12.
     `hours`: words for hours, if they are not their numbers. `signs`: those between hour and minute. `unit`:
     what may follow the number and is in the words already.
     """
 
     template: str = ""
     full: str = ""
+    one: str = ""
     late: str = ""
     seconds: str = ""
     hours: Mapping[str, str] = field(default_factory=dict)
@@ -81,8 +85,8 @@ class ReadingTable:
     `signs`: the words of a sign; `between`: of one between numbers or words, else it is silent. `fractions`:
     words by "1/2"; `joint`: between a whole number and a fraction. `address`: the words of signs in an
     address. `group`: what stands between the thousands that the voice reads. `units` and `currencies`: names
-    of one and of several, of money also of hundredths; `scales` may follow an amount. `own`: tables of the
-    language's own rules.
+    of one and of several, of money also of hundredths; `scales` may follow an amount. `range`: between two
+    numbers. `own`: tables of the language's own rules.
     """
 
     dates: DateTable = DateTable()
@@ -96,6 +100,7 @@ class ReadingTable:
     units: Mapping[str, tuple[str, str]] = field(default_factory=dict)
     currencies: Mapping[str, tuple[str, str, str, str]] = field(default_factory=dict)
     scales: Mapping[str, str] = field(default_factory=dict)
+    range: str = ""
     own: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
 
 
@@ -125,7 +130,7 @@ class ReadingRule(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Readings:
+class SpokenReadings:
     """The readings of a language: its `table`, its `numbers` and its own rules."""
 
     table: ReadingTable = ReadingTable()
@@ -165,20 +170,20 @@ class Readings:
 
 
 @cache
-def readings_of(code: str) -> Readings:
+def readings_of(code: str) -> SpokenReadings:
     """Return the readings of the language with the folder `code`."""
     table = read_table(ReadingTable, code, "readings.toml")
-    if not has_file(code, _OWN):
-        return Readings(table)
-    module = importlib.import_module(f"{__package__}.{code}.{_OWN.removesuffix('.py')}")
-    return Readings(table, module.NUMBERS, tuple(module.rules(table)))
+    module = module_of(code, "readings")
+    if module is None:
+        return SpokenReadings(table)
+    return SpokenReadings(table, module.NUMBERS, tuple(module.rules(table)))
 
 
 # English with the day first in numbers.
 _DAY_FIRST = ("en-gb", "en-029")
 
 
-def _rules(readings: Readings, *, month_first: bool) -> Iterator[ReadingRule]:
+def _rules(readings: SpokenReadings, *, month_first: bool) -> Iterator[ReadingRule]:
     table = readings.table
     if table.address:
         yield ReadingRule(_EMAIL, lambda match: _address(match, table))
@@ -190,7 +195,13 @@ def _rules(readings: Readings, *, month_first: bool) -> Iterator[ReadingRule]:
         yield ReadingRule(_time_pattern(table.times), lambda match: _time(match, readings))
     if table.fractions:
         yield ReadingRule(_FRACTION, lambda match: _fraction(match, table))
+        yield ReadingRule(_SLASHED, lambda match: _slashed(match, table))
+    if table.range:
+        yield ReadingRule(_RANGE, lambda match: ((f"{match[1]} {table.range} {match[2]}", match.start()),))
     yield ReadingRule(_GROUPS, lambda match: _joined_groups(match, table))
+    if "\u2212" in table.between:
+        minus = table.between["\u2212"]
+        yield ReadingRule(_MINUS, lambda match: ((f"{minus} {match[1]}", match.start()),))
     if table.between:
         yield ReadingRule(_between(table.between), lambda match: _sign_between(match, table))
     yield ReadingRule(_ARROW, lambda match: ((" ", match.start()),))
@@ -218,16 +229,16 @@ def _joined_groups(match: re.Match[str], table: ReadingTable) -> Pieces:
     return ((re.sub(r"\D", table.group, match[0]), match.start()),)
 
 
-def _iso_date(match: re.Match[str], readings: Readings) -> Pieces:
+def _iso_date(match: re.Match[str], readings: SpokenReadings) -> Pieces:
     return _date(match, readings, int(match["day"]), int(match["month"]), int(match["year"]))
 
 
-def _numeric_date(match: re.Match[str], readings: Readings, month_first: bool) -> Pieces:
+def _numeric_date(match: re.Match[str], readings: SpokenReadings, month_first: bool) -> Pieces:
     if match["sign"] not in readings.table.dates.signs:
         return None
     first, second, year = int(match["first"]), int(match["second"]), int(match["year"])
     if len(match["year"]) == len("21"):
-        if match["sign"] != "/":
+        if match["sign"] == "-":
             return None
         year += 2000 if year < 50 else 1900
     day, month = (second, first) if month_first else (first, second)
@@ -236,12 +247,13 @@ def _numeric_date(match: re.Match[str], readings: Readings, month_first: bool) -
     return _date(match, readings, day, month, year)
 
 
-def _date(match: re.Match[str], readings: Readings, day: int, month: int, year: int) -> Pieces:
+def _date(match: re.Match[str], readings: SpokenReadings, day: int, month: int, year: int) -> Pieces:
     dates, numbers = readings.table.dates, readings.numbers
     if not (1 <= day <= 31 and 1 <= month <= 12):
         return None
     before = match.string[max(0, match.start() - 20) : match.start()]
     said = dates.days[day - 1] if dates.days else numbers.day(day, before)
+    said = dates.first if day == 1 and dates.first else said
     words = dates.template.format(day=said, month=dates.months[month - 1], year=numbers.year(year))
     return ((words, match.start()),)
 
@@ -252,7 +264,7 @@ def _time_pattern(times: TimeTable) -> re.Pattern[str]:
     return re.compile(_TIME.pattern.rstrip() + rf"(?P<unit>[ \u00a0]?(?:{times.unit})\b)?")
 
 
-def _time(match: re.Match[str], readings: Readings) -> Pieces:
+def _time(match: re.Match[str], readings: SpokenReadings) -> Pieces:
     times, numbers = readings.table.times, readings.numbers
     unit = match.groupdict().get("unit")
     if match["sign"] not in times.signs or (match["sign"] == "." and not unit):
@@ -263,7 +275,8 @@ def _time(match: re.Match[str], readings: Readings) -> Pieces:
         "minute": numbers.minute(minute),
         "second": str(int(match["second"] or 0)),
     }
-    full = times.late if times.late and not 1 <= hour <= 12 else times.full
+    full = times.one if times.one and hour == 1 else times.full
+    full = times.late if times.late and not 1 <= hour <= 12 else full
     template = times.seconds if match["second"] else full if minute == 0 else times.template
     said = template.format(**words)
     if unit is None:
@@ -285,6 +298,14 @@ def _fraction(match: re.Match[str], table: ReadingTable) -> Pieces:
     if whole in ("", "0"):
         return ((words, match.start()),)
     return ((f"{whole} {table.joint} {table.fractions.get(f'+{top}/{bottom}', words)}", match.start()),)
+
+
+def _slashed(match: re.Match[str], table: ReadingTable) -> Pieces:
+    words = table.fractions.get(match[2])
+    if words is None:
+        return None
+    said = f"{match[1]}{table.joint} {table.fractions.get(f'+{match[2]}', words)}" if match[1] else words
+    return ((said, match.start()),)
 
 
 def _address(match: re.Match[str], table: ReadingTable) -> Pieces:

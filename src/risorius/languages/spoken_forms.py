@@ -1,4 +1,4 @@
-"""What of a text is said otherwise than it is written; the tables are loaded only if needed."""
+"""Find the parts of a text that are said otherwise than written; tables are loaded only if needed."""
 
 from __future__ import annotations
 

@@ -260,6 +260,9 @@ def _say_as(writer: SsmlWriter, node: XmlNode) -> None:
         writer.put(words)
         return
     spoken = said_as(kind.lower(), words, node.text_of("format"))
+    if spoken == "" and words:
+        writer.unknowns.tell(f"interpret-as {quoted(kind)}", node.place)
+        return
     if spoken is None:
         writer.unknowns.tell(f"interpret-as {quoted(kind)}", node.place, _AS_WRITTEN)
     writer.say_instead(node, words, spoken or words)

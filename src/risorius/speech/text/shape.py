@@ -41,12 +41,13 @@ def worded(text: str, directions: Directions, language: Language, variant: str) 
             shape[start:stop] = _letters(text[start:stop])
             if not said.endswith("."):
                 # A full stop that is not said ends no sentence.
-                shape[stop:end] = text[stop:end].replace(".", _NOTHING)
+                shape[stop:end] = text[stop:end].replace(".", _NOTHING).replace("-", _NOTHING)
     shaped = "".join(shape)
     ends = dict(parts)
     tokens = tuple(
-        Token(text[t.start : ends.get(t.start, t.end)], t.start, ends.get(t.start, t.end))
+        Token(text[t.start : end], t.start, end)
         for t in with_words(tokenize(shaped), language.words)
+        for end in (max(t.end, ends.get(t.start, t.end)),)
     )
     return WordedText(text, shaped, tokens, dictated)
 
@@ -63,9 +64,16 @@ def _dictated(text: str, directions: Directions, variant: str) -> tuple[Replacem
     chosen: list[Replacement] = []
     for span in asked:
         if not chosen or span.start >= chosen[-1].end:
-            said = ((span.spoken or "", span.start),)
+            said = ((_said(span.spoken or "", variant), span.start),)
             chosen.append(Replacement(span.start, span.end, said, joined=True))
     return tuple(sorted([*chosen, *found]))
+
+
+def _said(words: str, variant: str) -> str:
+    """Return words with their dates, times and the like as the language says them."""
+    for piece in reversed(read_otherwise(words, variant)):
+        words = words[: piece.start] + "".join(said for said, _ in piece.read) + words[piece.end :]
+    return words
 
 
 def _words(piece: Replacement, text: str) -> Iterator[tuple[int, int, int, str]]:
