@@ -16,6 +16,7 @@ CASES: dict[str, object] = {
     "voice_emotion": False,
     "answers": "Who is it?",
     "format": "markdown",
+    "keep_tags": True,
     "lead": 0.25,
     "tail": 0.25,
     "profile": "lively",

@@ -49,7 +49,7 @@ RECORDING = InputKind(
     "a recording",
     [stage for stage in Stage if stage is not Stage.VOICE],
     "the voice is recorded; expected no option of a synthesized voice",
-    ("language", "format"),
+    ("language", "format", "keep_tags"),
 )
 LABELS = InputKind(
     "a TextGrid",

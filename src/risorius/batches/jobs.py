@@ -89,7 +89,7 @@ class JobMaker:
         if settings.look.transparent:
             check_alpha(OutputFile(local_path(pattern.text), pattern.format) for pattern in self.patterns)
         sheet = None if self.sheets is None else str(self.sheets / f"{name}.png")
-        form = TextForm(settings.format)
+        form = TextForm(settings.format, settings.keep_tags)
         given = replace(self._input(cells), language=settings.language, form=form)
         return BatchJob(name, row.place, given, emotions, settings, outputs, sheet)
 

@@ -42,7 +42,7 @@ def perform_sentence(
 
     Speech from `before` is not spoken again; what is spoken is added to it.
     """
-    script = read_script(text, text=True, source="live", form=TextForm(PLAIN_TEXT))
+    script = read_script(text, text=True, source="live", form=TextForm(PLAIN_TEXT, settings.keep_tags))
     return perform(script, feelings, settings, before=before)
 
 

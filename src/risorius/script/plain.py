@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from ..core.choices import MARKDOWN
 from ..core.directions import DirectedSpan, Directions, Emphasis
-from ..core.speech.characters import HIDDEN
+from ..core.speech.characters import HIDDEN, shown
 from ..errors import Place, warn
 from .markdown import LeftOut, is_markdown, without_marks
 from .model import Script, SpokenLine, script_of
 from .speakable import check_speakable, position
+from .transcript import without_speakers, without_tags
 from .tree import ScriptWarning
 
 # Asterisks around words, as in "I like *this* one"; not "2 * 3 * 4".
@@ -24,9 +26,15 @@ _NAMED = 3
 
 
 class TextForm(NamedTuple):
-    """The form of a text: `format` Markdown, plain, or None: Markdown if two kinds of its marks occur."""
+    """The form of a text: `format` Markdown, plain, or None: Markdown if two kinds of its marks occur.
+
+    `keep_tags`: words in brackets that name a sound are spoken. `heard`: it is the transcript of a recording,
+    where every tag, and the names of speakers, are no words.
+    """
 
     format: str | None = None
+    keep_tags: bool = False
+    heard: bool = False
 
     def is_markdown(self, text: str) -> bool:
         """Tell whether a text is Markdown."""
@@ -46,17 +54,43 @@ def parse_plain(text: str, source: str = "text", form: TextForm = USUAL_FORM) ->
     written = text
     if form.is_markdown(text):
         plain = without_marks(text)
-        _tell(plain.left_out, text, source)
+        _tell(plain.left_out, text, f"{source}: read as Markdown")
         text = plain.text
         check_speakable(text, source)
+    text = _only_words(text, written, source, form)
     directions = read_focus(text, written, source)
     line = SpokenLine(without_asterisks(text), None, Place(source, 1, 1), directions=directions)
     return script_of((line,), timed=False, source=source)
 
 
+def only_words(text: str, source: str, form: TextForm) -> str:
+    """Return a text in which only words are left, as `parse_plain` reads it; warn of what is hidden.
+
+    Raises InputError if no words are left.
+    """
+    if form.is_markdown(text):
+        return parse_plain(text, source, form).text
+    return _only_words(text, text, source, form)
+
+
+def _only_words(text: str, written: str, source: str, form: TextForm) -> str:
+    """Hide tags, in a transcript also the names of speakers; `written`: the text as in the source."""
+    if form.keep_tags:
+        return text
+    plain = without_tags(text, known_only=not form.heard)
+    left_out = plain.left_out
+    if form.heard:
+        plain = without_speakers(plain.text)
+        left_out = (*left_out, *plain.left_out)
+    if left_out:
+        check_speakable(shown(plain.text), source)
+        _tell(left_out, written, source)
+    return plain.text
+
+
 def parse_markdown(text: str, source: str = "text", form: TextForm = USUAL_FORM) -> Script:
     """Return the script that speaks Markdown, unless the `form` says that it is plain."""
-    return parse_plain(text, source, TextForm(form.format or MARKDOWN))
+    return parse_plain(text, source, form._replace(format=form.format or MARKDOWN))
 
 
 def read_focus(text: str, written: str, source: str) -> Directions:
@@ -81,8 +115,8 @@ def _hidden(match: re.Match[str]) -> str:
     return f"{marks}{match[1]}{marks}"
 
 
-def _tell(left_out: tuple[LeftOut, ...], text: str, source: str) -> None:
-    """Warn, in one line, of what is left out of Markdown."""
+def _tell(left_out: Sequence[LeftOut], text: str, source: str) -> None:
+    """Warn, in one line, of what is left out."""
     if not left_out:
         return
     counts = Counter(part.name for part in left_out)
@@ -93,5 +127,6 @@ def _tell(left_out: tuple[LeftOut, ...], text: str, source: str) -> None:
     ]
     more = len(counts) - len(named)
     if more:
-        named.append(f"{more} other {'kind' if more == 1 else 'kinds'} of marks")
-    warn(f"{source}: read as Markdown; left out: {', '.join(named)}", ScriptWarning)
+        named.append(f"{more} more {'kind' if more == 1 else 'kinds'}")
+    joint = "; " if source.endswith("Markdown") else ": "
+    warn(f"{source}{joint}left out: {', '.join(named)}", ScriptWarning)

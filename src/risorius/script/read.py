@@ -74,7 +74,7 @@ def parse_script(text: str, suffix: str, source: str = "text", form: TextForm = 
     """
     if suffix in TEXT_READERS:
         return TEXT_READERS[suffix](text, source, form)
-    chosen = [name for name, value in form._asdict().items() if value]
+    chosen = [name for name, value in form._asdict().items() if value and name != "heard"]
     if chosen:
         raise UnusedSettingError(chosen, f"'{suffix}' has a form of its own; expected a text", Place(source))
     return READERS.get(suffix)(text, source)

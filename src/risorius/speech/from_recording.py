@@ -11,12 +11,14 @@ from ..core.speech.utterance import Utterance
 from ..errors import InputError, Place, SpeechWarning, warn
 from ..script import Script, SpokenLine
 from ..script.model import script_of
+from ..script.subtitles import TimedText
 from ..script.textgrid import read_textgrid
 from .alignment import align
 from .alignment.aligner import assembled
 from .alignment.timed_words import TimedWord, locate_in_words, written
 from .assembly.retime import is_timed
 from .prosody import measured
+from .recordings.cued import align_cues
 from .recordings.dictated import utterance_dictated
 from .recordings.labelled import PHONE_TIERS, WORD_TIERS, found_tier, utterance_of_labels
 from .recordings.phone_labels import is_silence
@@ -34,12 +36,14 @@ WEAKER = "there is no transcript: words are recognized from the sound, with erro
 class Recording:
     """A recorded voice: the file `audio`, and what is known of its words.
 
-    `transcript`: the words; `script`: the marks, and the words if there is no transcript. Without either, the
-    words are recognized. `language` is that of the words, by default the script's, or English.
+    `transcript`: the words, or `cues`: those of subtitles, with their times; `script`: the marks, and the
+    words if there is no transcript. Without either, the words are recognized. `language` is that of the
+    words, by default the script's, or English.
     """
 
     audio: str | PathLike[str]
     transcript: str | None = None
+    cues: tuple[TimedText, ...] = ()
     script: Script | None = None
     language: str | None = None
 
@@ -64,7 +68,10 @@ def align_recording(
         return _script_of(utterance, recording.labels), utterance
     audio, script = recording.audio, recording.script
     language = recording.language or (None if script is None else script.language)
-    if recording.transcript is not None or script is None:
+    if recording.cues:
+        progress("Aligning …")
+        utterance = measured(align_cues(read_recording(audio), recording.cues, language, progress))
+    elif recording.transcript is not None or script is None:
         utterance = hear_words(audio, recording.transcript, progress, language)
     else:
         utterance = with_written_tones(_hear_script(audio, script, progress, language), script)

@@ -97,7 +97,7 @@ class Performer:
         """Return a source's script, its utterance, and the places of the spans in it."""
         source, edges = replace(source, edges=()), source.edges
         if source.recording is not None or source.format == "TextGrid":
-            key = source, settings.language, settings.format
+            key = source, settings.language, settings.format, settings.keep_tags
             recording = self._recording(source, settings)
             script, found = self._heard.get(key, lambda: align_recording(recording, progress))
             if isinstance(recording, Recording) and recording.script is not None:
@@ -143,7 +143,11 @@ _SUFFIX = {name: f".{name}" for name in ("xml", "utt", "ssml", "bml")} | {"text"
 def _script(source: Source, settings: Settings) -> Script:
     """Return a source's script; the form of a text is not read for other formats."""
     suffix = _SUFFIX[source.format]
-    form = TextForm(settings.format) if suffix in TEXT_READERS else USUAL_FORM
+    form = (
+        TextForm(settings.format, settings.keep_tags, heard=source.recording is not None)
+        if suffix in TEXT_READERS
+        else USUAL_FORM
+    )
     return parse_script(source.script, suffix, "script", form)
 
 
