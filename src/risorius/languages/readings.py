@@ -200,7 +200,7 @@ def _rules(readings: SpokenReadings, *, month_first: bool) -> Iterator[ReadingRu
         yield ReadingRule(_RANGE, lambda match: ((f"{match[1]} {table.range} {match[2]}", match.start()),))
     yield ReadingRule(_GROUPS, lambda match: _joined_groups(match, table))
     if "\u2212" in table.between:
-        minus = table.between["\u2212"]
+        minus = table.signs.get("-", table.between["\u2212"])
         yield ReadingRule(_MINUS, lambda match: ((f"{minus} {match[1]}", match.start()),))
     if table.between:
         yield ReadingRule(_between(table.between), lambda match: _sign_between(match, table))

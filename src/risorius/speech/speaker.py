@@ -20,6 +20,7 @@ from .engines.registry import is_voice_file, load_engine, load_voice_file
 from .engines.voices import find_voice
 from .structure.context import PlacedWord, context_of, raised
 from .text.normalise import normalise, placed
+from .text.scripts import foreign_scripts
 from .text.sentences import divide
 from .text.shape import worded
 from .text.tokens import Token
@@ -76,6 +77,7 @@ class Speaker:
         for directions that the voice's language does not allow.
         """
         directions = self._in_semitones(directions)
+        directions = self._in_scripts(text, directions)
         words = worded(text, directions, self.language, self.voice.language)
         if is_timed(directions) and not self.language.mnemonics.dictated:
             timed = next(span for span in directions.spans if span.seconds)
@@ -94,6 +96,24 @@ class Speaker:
             shape=words.shape,
             dictated=words.dictated,
         )
+
+    def _in_scripts(self, text: str, directions: Directions) -> Directions:
+        """Return directions by which another voice reads words in scripts that this one would spell."""
+        taken = [
+            span for span in directions.spans if span.voice or span.language or span.phones or span.spoken
+        ]
+        words = [
+            word
+            for word in foreign_scripts(text, self.voice.language)
+            if not any(span.start < word.end and word.start < span.end for span in taken)
+        ]
+        unread = ", ".join(f"'{text[w.start : w.end]}'" for w in words if not w.language)
+        if unread:
+            warn(f"this voice cannot read {unread}; its characters are spelled", SpeechWarning)
+        spans = [
+            DirectedSpan(w.start, w.end, Place("text"), language=w.language) for w in words if w.language
+        ]
+        return replace(directions, spans=(*directions.spans, *spans)) if spans else directions
 
     def _in_semitones(self, directions: Directions) -> Directions:
         """Return directions without Hertz, which count from the voice's own pitch."""

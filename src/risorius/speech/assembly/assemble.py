@@ -5,7 +5,7 @@ once.
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Sequence, Set
 from contextlib import ExitStack
 from itertools import chain
 from typing import NamedTuple
@@ -15,7 +15,7 @@ import numpy as np
 from ...core.directions import Directions
 from ...core.speech.audio import Audio, AudioWriter, Samples
 from ...core.speech.utterance import SILENCE, Phone, Word
-from ...errors import InputError
+from ...errors import InputError, SpeechWarning, warn
 from ...languages.abbreviations import Replacement
 from ..engines.protocol import Rendition
 from ..structure.lines import TextLine
@@ -29,6 +29,10 @@ from .words import Transcriber, assign
 
 LINE_PAUSE = 0.3
 """Seconds between two lines if the second has no time of its own."""
+
+
+# Words that a warning names.
+_NAMED = 5
 
 
 class SpokenPart(NamedTuple):
@@ -138,8 +142,10 @@ def _spoken(
     write = sound.append if timed else writer.append
     segments, at = _silence(start, line.lead, rate)
     write(np.zeros(at - start, np.int16))
+    given: list[NormalisedText] = []
     for part in parts:
         segments += place(part, line.tokens, at, transcribe)
+        given.append(part.spoken)
         write(part.rendition.samples)
         at += len(part.rendition.samples)
     tail, end = _silence(at, line.tail, rate)
@@ -149,10 +155,28 @@ def _spoken(
     segments = settle(segments, rate)
     if all(segment.token == NO_TOKEN for segment in segments):
         raise InputError("nothing in the text can be spoken by this voice; expected words of its language")
+    _tell_of_unread(line.tokens, {segment.token for segment in segments}, given)
     if timed:
         samples, segments = retime(np.concatenate(sound), segments, line.tokens, line.directions, rate)
         writer.append(samples)
     return segments
+
+
+def _tell_of_unread(tokens: Sequence[Token], voiced: Set[int], given: Sequence[NormalisedText]) -> None:
+    """Warn of words that the engine was given, and gave no sound."""
+    silent = [token for index, token in enumerate(tokens) if index not in voiced]
+    if not silent:
+        return
+    letters = sorted({at for part in given for char, at in zip(*part, strict=True) if char.isalnum()})
+    unread = [token.text for token in silent if _within(letters, token)]
+    if unread:
+        more = f" and {len(unread) - _NAMED} more" if len(unread) > _NAMED else ""
+        names = ", ".join(f"'{word}'" for word in unread[:_NAMED])
+        warn(f"this voice cannot read {names}{more}; expected words of its language", SpeechWarning)
+
+
+def _within(places: Sequence[int], token: Token) -> bool:
+    return bisect_left(places, token.start) < bisect_left(places, token.end)
 
 
 def _silence(start: int, seconds: float, sample_rate: int) -> tuple[list[Segment], int]:

@@ -6,8 +6,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from ...core.directions import Break, Directions
+from ...core.speech.characters import stands_alone
 from ...languages import Language
 from ...languages.abbreviations import Replacement
+from ...languages.load import folder_of
 from ...languages.spoken_forms import read_otherwise
 from .tokens import BREAKS, Token, tokenize, with_words
 
@@ -61,12 +63,21 @@ def _dictated(text: str, directions: Directions, variant: str) -> tuple[Replacem
         for piece in read_otherwise(text, variant)
         if not any(start < piece.end and piece.start < end for start, end in fixed)
     ]
+    for span in directions.spans:
+        if span.language and folder_of(span.language) == "ja":
+            read = read_otherwise(text[span.start : span.end], span.language)
+            found += [_moved(piece, span.start) for piece in read]
     chosen: list[Replacement] = []
     for span in asked:
         if not chosen or span.start >= chosen[-1].end:
             said = ((_said(span.spoken or "", variant), span.start),)
             chosen.append(Replacement(span.start, span.end, said, joined=True))
     return tuple(sorted([*chosen, *found]))
+
+
+def _moved(piece: Replacement, by: int) -> Replacement:
+    read = tuple((said, at + by) for said, at in piece.read)
+    return Replacement(piece.start + by, piece.end + by, read, piece.joined)
 
 
 def _said(words: str, variant: str) -> str:
@@ -89,6 +100,8 @@ def _words(piece: Replacement, text: str) -> Iterator[tuple[int, int, int, str]]
 
 def _letters(written: str) -> str:
     """Return letters, or digits, in place of a word, by which it is one word; a sign stands alone."""
+    if stands_alone(written[0]):
+        return _ALONE + _NOTHING * (len(written) - 1)
     if written[0].isdigit():
         return "0" * len(written)
     if any(char.isalnum() for char in written):
