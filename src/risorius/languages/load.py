@@ -46,6 +46,7 @@ def _language(code: str) -> Language:
     return Language(
         code=code,
         name=table.name,
+        tested=table.tested,
         tones=table.tones,
         spaces=table.spaces,
         arpabet=phones.arpabet,
@@ -79,6 +80,11 @@ def folder_of(code: str) -> str:
     parts = code.lower().replace("_", "-").split("-")
     names = ("-".join(parts[:count]) for count in range(len(parts), 0, -1))
     return next((name for name in names if name in languages()), UNDETERMINED)
+
+
+def has_readings(code: str) -> bool:
+    """Tell whether the folder of a language says how numbers and dates are read."""
+    return any((_FOLDER / code / name).is_file() for name in ("readings.toml", "kanji.py"))
 
 
 def module_of(code: str, name: str) -> ModuleType | None:

@@ -13,11 +13,13 @@ from ..core.registry import Registry
 from ..errors import InputError, Place, UnusedSettingError, unknown
 from .bml import parse_bml
 from .files import names_something, read_text
+from .kinds import SUFFIXES, misplaced
 from .markup import parse_markup
 from .model import Script
 from .plain import USUAL_FORM, TextForm, parse_markdown, parse_plain
 from .quote import LONGEST_PATH, one_line
 from .ssml import parse_ssml
+from .suffixes import INPUT_SUFFIXES, RECORDING_SUFFIXES
 from .utt import parse_utterance
 
 ScriptReader = Callable[[str, str], Script]
@@ -33,14 +35,8 @@ READERS.register(".markdown")(parse_markdown)
 
 # Texts, whose form can be chosen.
 TEXT_READERS = {"": parse_plain, ".txt": parse_plain, ".md": parse_markdown, ".markdown": parse_markdown}
-# A text with one of these suffixes is a file, never words to speak, even if no reader is registered for it.
-INPUT_SUFFIXES = (".txt", ".md", ".xml", ".utt", ".ssml", ".bml", ".textgrid", ".json")
 _WORD = re.compile(r"[^\s\0]+")
 _ENDING = re.compile(r"\.\d{0,4}[A-Za-z][A-Za-z0-9]{0,4}")
-RECORDING_SUFFIXES = (
-    *(".wav", ".flac", ".ogg", ".opus", ".mp3", ".m4a", ".aac"),
-    *(".mp4", ".m4v", ".mov", ".3gp", ".webm", ".mkv"),
-)
 
 
 def read_script(
@@ -56,6 +52,7 @@ def read_script(
     suffix = _suffix(script)
     named = suffix in (*INPUT_SUFFIXES, *READERS) or _is_like_a_name(script)
     if not named and not names_something(script):
+        _check_kind(script, source)
         return parse_plain(script, source, form)
     return _read_file(script, suffix, form)
 
@@ -80,6 +77,14 @@ def parse_script(text: str, suffix: str, source: str = "text", form: TextForm = 
     return READERS.get(suffix)(text, source)
 
 
+def _check_kind(text: str, source: str, suffix: str = "") -> None:
+    """Raise InputError if a text, in a file with this suffix, is something else than it is taken for."""
+    kind = misplaced(text, suffix)
+    if kind is not None:
+        hint = ", or --text to have it spoken as it stands" if suffix in TEXT_READERS else ""
+        raise InputError(f"{kind}{hint}", Place(source))
+
+
 def _suffix(script: str) -> str:
     return Path(script).suffix.lower() if "\0" not in script else ""
 
@@ -90,7 +95,10 @@ def _read_file(path: str, suffix: str, form: TextForm) -> Script:
         raise InputError("there is no such file; expected a file, or --text to have the words spoken", place)
     if suffix in RECORDING_SUFFIXES:
         raise InputError("is a recording; expected it after --audio", place)
+    if suffix in SUFFIXES:
+        raise InputError(SUFFIXES[suffix], place)
     content = read_text(path)
+    _check_kind(content, place.file, suffix)
     if suffix and suffix not in READERS:
         raise InputError(unknown("suffix", suffix, READERS), place)
     return parse_script(content, suffix, place.file, form)

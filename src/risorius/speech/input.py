@@ -11,6 +11,7 @@ from ..script import Script, parse_script, read_script
 from ..script.files import names_something, read_text
 from ..script.plain import USUAL_FORM, TextForm, only_words
 from ..script.subtitles import SUBTITLE_SUFFIXES, TimedText, looks_like_subtitles, read_subtitles
+from ..script.suffixes import RECORDING_SUFFIXES
 from .from_recording import LabelledRecording, Recording
 
 LABELS_SUFFIX = ".textgrid"
@@ -92,6 +93,8 @@ def read_transcript(
         return transcript, ()
     if not transcript.lower().endswith(TRANSCRIPT_SUFFIXES) and not names_something(transcript):
         return only_words(transcript, "transcript", form), ()
+    if Path(transcript).suffix.lower() in RECORDING_SUFFIXES:
+        raise InputError("is a recording; expected its words: a text, or a file with them", Place(transcript))
     text = read_text(transcript)
     if _is_subtitles(transcript) or looks_like_subtitles(text):
         return None, read_subtitles(text, transcript, keep_tags=form.keep_tags)
