@@ -102,8 +102,13 @@ def written_out(
 
     `stop`: where the text ends that tells whether a sentence goes on, by default `end`.
     """
-    for match in table.pattern.finditer(text, start, end):
-        kind, rest = str(match.lastgroup), text[match.end() : end if stop is None else stop]
+    stop = end if stop is None else stop
+    for match in table.pattern.finditer(text, start, stop):
+        if match.start() >= end:
+            return
+        if match.end() > end:
+            continue
+        kind, rest = str(match.lastgroup), text[match.end() : stop]
         reader = _READERS.get(kind)
         if reader is not None:
             read = reader(match, rest, table)

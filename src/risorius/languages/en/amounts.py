@@ -8,7 +8,9 @@ from collections.abc import Iterator
 from ..readings import Pieces, ReadingRule, ReadingTable, any_of
 from .numbers import by_pairs, cardinal, ordinal, year
 
-_NUMBER = r"(?:\d{1,3}(?:,\d{3}){1,5}(?:\.\d{1,9})?|\d{1,15}(?:\.\d{1,9})?)"
+_NUMBER = r"(?:\d{1,3}(?:[, \u00a0\u2009\u202f]\d{3}){1,5}(?!\d)(?:\.\d{1,9})?|\d{1,15}(?:\.\d{1,9})?)"
+_BLANK = re.compile("[ \u00a0\u2009\u202f]")
+_VULGAR = "\u00bc-\u00be\u2150-\u215e"
 _SIGNS = "$\u00a3\u20ac\u00a5"
 _DASHES = " -\u2013"
 _FRACTION = re.compile(
@@ -19,6 +21,9 @@ _RANGE = re.compile(r"(?<![\w.,/:-])(?P<first>\d{1,4})-(?P<second>\d{1,4})(?![\w
 _TIMES = re.compile(r"(?<=[apAP][mM])[-\u2013](?=\d)")
 _HEIGHT = re.compile(
     r"(?<![\w.])(?P<feet>\d{1,2})['\u2019\u2032] ?(?P<inches>\d{1,2})(?:[\"\u201d\u2033]|'')(?!\w)"
+)
+_INCHES = re.compile(
+    r"(?<=\d)(?:\u2033|\"(?= (?:wide|tall|long|high|deep|x|by|screen|monitor|TV|display)\b))"
 )
 _POWER = re.compile(
     r"(?<=[\w)])(?:\^(?P<written>-?\d{1,4})|(?P<raised>[\u00b2\u00b3\u2070\u00b9\u2074-\u2079\u207b]{1,4}))(?!\w)"
@@ -39,6 +44,9 @@ def rules(table: ReadingTable) -> Iterator[ReadingRule]:
     yield ReadingRule(_HEIGHT, _height)
     yield from _money_rules(table)
     yield ReadingRule(_unit_pattern(table), lambda match: _unit(match, table))
+    parted = re.compile(rf"(?:(?<=[{_VULGAR}])|(?<=/\d)) ?(?P<unit>{any_of(table.units)})(?!\w)")
+    yield ReadingRule(parted, lambda match: _parted(match, table))
+    yield ReadingRule(_INCHES, lambda match: [(" inches", match.start())])
     yield ReadingRule(_FRACTION, lambda match: _fraction(match, table))
     yield ReadingRule(_RATIO, _ratio)
     yield ReadingRule(_TIMES, lambda match: [(" to ", match.start())])
@@ -58,6 +66,9 @@ def _money_rules(table: ReadingTable) -> Iterator[ReadingRule]:
     scales = r"[KMBT]|[kmb]n?|mm|tn"
     number = rf"(?P<number>{_NUMBER})"
     patterns = (
+        rf"(?P<code>[{_SIGNS}]) ?(?P<number>\d{{1,3}}(?:[ \u00a0\u2009\u202f]\d{{3}})+)(?![\d/:-])",
+        rf"(?P<code>[{_SIGNS}]) ?(?P<number>\d{{1,9}},\d\d)(?![\w,]|\.\d)",
+        rf"(?<![\w.,{_SIGNS}])(?P<number>\d{{1,9}},\d\d)[ \u00a0]?(?P<code>[{_SIGNS}])(?!\w)",
         rf"(?P<code>[{_SIGNS}])(?P<from>{_NUMBER}) ?[-\u2013] ?(?P=code)?{number}(?P<scale>(?:{scales})\b)?"
         r"(?!\w)",
         rf"(?P<sign>[-\u2212])?(?P<land>\b(?:{lands}))?(?P<code>[{_SIGNS}]){number}(?P<scale>{scales})\b",
@@ -73,7 +84,8 @@ def _money_rules(table: ReadingTable) -> Iterator[ReadingRule]:
 
 def _money(match: re.Match[str], table: ReadingTable) -> Pieces:
     groups = match.groupdict()
-    number, code = match["number"], match["code"]
+    number, code = _BLANK.sub(",", match["number"]), match["code"]
+    number = re.sub(r"^(\d+),(\d\d)$", r"\1.\2", number)
     one, several, hundredth, hundredths = table.currencies[code]
     if groups.get("from"):
         scale = f" {table.scales[groups['scale'].lower()]}" if groups["scale"] else ""
@@ -108,7 +120,7 @@ def _unit_pattern(table: ReadingTable) -> re.Pattern[str]:
 
 
 def _unit(match: re.Match[str], table: ReadingTable) -> Pieces:
-    number, sign = match["number"], "minus " if match["sign"] else ""
+    number, sign = _BLANK.sub(",", match["number"]), "minus " if match["sign"] else ""
     name = table.units[match["unit"]][0 if number == "1" or match["gap"] == "-" else 1]
     if match["from"]:
         number = f"{match['from'].rstrip(_DASHES)} to {number}"
@@ -117,6 +129,12 @@ def _unit(match: re.Match[str], table: ReadingTable) -> Pieces:
     if not match["gap"]:
         return [(f"{sign}{number} {name}", match.start())]
     return [(f"{sign}{number}", match.start()), (f" {name}", match.start("unit"))]
+
+
+def _parted(match: re.Match[str], table: ReadingTable) -> Pieces:
+    """Read the unit after a fraction: of one, unless a whole number stands before the fraction."""
+    before = match.string[: match.start() - 1].rstrip()[-1:]
+    return [(f" {table.units[match['unit']][before.isdigit()]} ", match.start("unit"))]
 
 
 def _fraction(match: re.Match[str], table: ReadingTable) -> Pieces:
