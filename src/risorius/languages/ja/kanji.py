@@ -6,8 +6,9 @@ import contextlib
 import io
 import re
 import unicodedata
-from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+import warnings
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any, cast
 
 from ...errors import SpeechError
 from ..abbreviations import ReadText, Replacement
@@ -31,6 +32,7 @@ _WRITTEN = (
 _MARKS = "\u2019'"
 
 Features = Sequence[Mapping[str, Any]]
+Frontend = Callable[[str], Features]
 
 
 def kanji_readings(text: str) -> tuple[Replacement, ...]:
@@ -40,7 +42,7 @@ def kanji_readings(text: str) -> tuple[Replacement, ...]:
     """
     if HAN.search(text) is None:
         return ()
-    frontend = _frontend()
+    frontend = _quiet(_frontend())
     found: list[Replacement] = []
     for pattern, said_as in _WRITTEN:
         for match in pattern.finditer(text):
@@ -55,11 +57,22 @@ def kanji_readings(text: str) -> tuple[Replacement, ...]:
     return tuple(sorted(found))
 
 
+def _quiet(frontend: Frontend) -> Frontend:
+    """Return OpenJTalk without the warnings of deprecation of packages that it uses."""
+
+    def read(text: str) -> Features:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", DeprecationWarning)
+            return frontend(text)
+
+    return read
+
+
 def _said(features: Features) -> str:
     return " " + "".join(_kana(feature) for feature in features) + " "
 
 
-def _frontend() -> Any:
+def _frontend() -> Frontend:
     try:
         # It prints a warning of a package that it does without.
         with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
@@ -67,7 +80,7 @@ def _frontend() -> Any:
     except ImportError:
         message = "Japanese with kanji needs the extra 'ja': pip install 'risorius[ja]'; or write it in kana"
         raise SpeechError(message) from None
-    return run_frontend
+    return cast(Frontend, run_frontend)
 
 
 def _pieces(written: str, features: Features, start: int) -> Iterator[ReadText]:
