@@ -155,20 +155,25 @@ def _spoken(
     segments = settle(segments, rate)
     if all(segment.token == NO_TOKEN for segment in segments):
         raise InputError("nothing in the text can be spoken by this voice; expected words of its language")
-    _tell_of_unread(line.tokens, {segment.token for segment in segments}, given)
+    _tell_of_unread(line.tokens, {segment.token for segment in segments}, given, transcribe)
     if timed:
         samples, segments = retime(np.concatenate(sound), segments, line.tokens, line.directions, rate)
         writer.append(samples)
     return segments
 
 
-def _tell_of_unread(tokens: Sequence[Token], voiced: Set[int], given: Sequence[NormalisedText]) -> None:
+def _tell_of_unread(
+    tokens: Sequence[Token], voiced: Set[int], given: Sequence[NormalisedText], transcribe: Transcriber
+) -> None:
     """Warn of words that the engine was given, and gave no sound."""
     silent = [token for index, token in enumerate(tokens) if index not in voiced]
     if not silent:
         return
     letters = sorted({at for part in given for char, at in zip(*part, strict=True) if char.isalnum()})
-    unread = [token.text for token in silent if _within(letters, token)]
+    silent = [token for token in silent if _within(letters, token)]
+    # Words that the engine says as one belong to the first of them: they have sounds by themselves.
+    alone = transcribe([token.text for token in silent]) if silent else ()
+    unread = [token.text for token, phones in zip(silent, alone, strict=True) if not phones]
     if unread:
         more = f" and {len(unread) - _NAMED} more" if len(unread) > _NAMED else ""
         names = ", ".join(f"'{word}'" for word in unread[:_NAMED])
