@@ -15,6 +15,8 @@ CASES: dict[str, object] = {
     "rate": 120,
     "voice_emotion": False,
     "answers": "Who is it?",
+    "format": "markdown",
+    "keep_tags": True,
     "lead": 0.25,
     "tail": 0.25,
     "profile": "lively",

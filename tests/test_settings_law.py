@@ -6,6 +6,7 @@ Fields and options are enumerated here, so that a new one without a case fails.
 from __future__ import annotations
 
 import json
+import warnings
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
@@ -23,6 +24,8 @@ from risorius.core.speech.utterance import Utterance
 from risorius.errors import RisoriusError, UnusedSettingError
 from risorius.rules.emotions import Display
 from risorius.script import Script, parse_script
+from risorius.script.plain import TextForm
+from risorius.script.tree import ScriptWarning
 from risorius.settings import Settings, settings_of
 from risorius.settings.declare import Row, Stage, rows
 from risorius.solvers import solver_key
@@ -82,7 +85,11 @@ def _script() -> Script:
 def said(settings: Settings) -> object:
     utterance = pipeline.speak(_script(), ANGRY, settings, quiet, None)
     assert utterance is not None
-    return utterance.phones, utterance.audio.read().tobytes()
+    form = TextForm(settings.format, settings.keep_tags)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ScriptWarning)
+        text = parse_script("# One (sighs)", ".txt", form=form).text
+    return utterance.phones, utterance.audio.read().tobytes(), text
 
 
 def planned(spoken: Utterance, settings: Settings) -> object:

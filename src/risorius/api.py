@@ -22,10 +22,11 @@ from .ports.score.score_json import read_score_file
 from .rules.emotions import Display, Displays, parse_display
 from .rules.poses import posed
 from .rules.rule_set import check_links_alone, emotions_of
+from .script.plain import TextForm
 from .settings import BlendChoices, Settings
 from .speech import Input, Recording, align_recording, read, read_transcript
 from .take import Take
-from .unused_settings import CAPTURE, CHARACTER, PERFORMANCE, POSE, RECOGNIZED, SCORE, reject, reject_unused
+from .unused_settings import CAPTURE, CHARACTER, PERFORMANCE, POSE, SCORE, reject, reject_unused
 
 if TYPE_CHECKING:
     from .ports.mesh.rig import MuscleCoverage, Rig
@@ -62,7 +63,15 @@ def speak(
         choices = {"emotion": emotion or (), "audio": audio, "transcript": transcript}
         return _mix(script, settings, BlendChoices(), progress, **choices)
     displays = displays_of(emotion, settings)
-    named = Input(script, audio, transcript, text, source, language=settings.language)
+    named = Input(
+        script,
+        audio,
+        transcript,
+        text,
+        source,
+        language=settings.language,
+        form=TextForm(settings.format, settings.keep_tags),
+    )
     return perform_input(named, displays, settings, progress)
 
 
@@ -84,18 +93,23 @@ def align(
     transcript: FileName | None = None,
     *,
     language: str | None = None,
+    format: str | None = None,
+    keep_tags: bool = False,
     progress: Progress = quiet,
 ) -> Take:
     """Return the timed utterance of a recording of `transcript` (a text, or the name of its file).
 
     `language` is that of the transcript, by default English; without one the words are recognized as English.
+    `format` and `keep_tags` tell how the transcript is read, as the settings of these names do.
     The take's `utterance` has it; the face rests. Raises RisoriusError with one line on what is wrong and
     where.
     """
-    if transcript is None and language is not None:
-        raise UnusedSettingError(["language"], RECOGNIZED, Place(str(audio)))
-    words = read_transcript(_text_or_file(transcript))
-    _, utterance = align_recording(Recording(path_of(audio), words, language=language), progress)
+    settings = Settings(language=language, format=format, keep_tags=keep_tags)
+    if transcript is None:
+        reject_unused(Recording(audio), settings)
+    form = TextForm(settings.format, settings.keep_tags, heard=True)
+    words = read_transcript(_text_or_file(transcript), form)
+    _, utterance = align_recording(Recording(path_of(audio), *words, language=language), progress)
     return combine(Score(utterance.duration, text=utterance.text), Settings(), utterance)
 
 

@@ -51,7 +51,7 @@ RECORDING = InputKind(
     "a recording",
     [stage for stage in Stage if stage is not Stage.VOICE],
     "the voice is recorded; expected no option of a synthesized voice",
-    ("language",),
+    ("language", "format", "keep_tags"),
 )
 LABELS = InputKind(
     "a TextGrid",
@@ -153,8 +153,9 @@ def reject_unused(source: SpeechSource, settings: Settings) -> None:
 
     if isinstance(source, Recording):
         reject(settings, RECORDING, Place(str(source.audio)))
-        if settings.language is not None and source.transcript is None and source.script is None:
-            raise UnusedSettingError(["language"], RECOGNIZED, Place(str(source.audio)))
+        unread = [name for name in chosen(settings) if name in RECORDING.also]
+        if unread and source.transcript is None and source.script is None:
+            raise UnusedSettingError(unread, RECOGNIZED, Place(str(source.audio)))
     elif isinstance(source, LabelledRecording):
         kind = LABELS if source.audio is None else replace(RECORDING, also=())
         reject(settings, kind, Place(str(source.audio or source.labels)))

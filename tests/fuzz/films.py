@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from risorius.errors import InputError
-from risorius.script.read import RECORDING_SUFFIXES
+from risorius.script.suffixes import RECORDING_SUFFIXES
 from risorius.speech.recordings.film_sound import container_of
 
 from .registry import register

@@ -26,7 +26,7 @@ from risorius.live.serve.messages import KINDS
 from risorius.ports.formats import FORMATS
 from risorius.reading.schema import MisfitError, converter
 from risorius.script.read import READERS as SCRIPTS
-from risorius.script.read import RECORDING_SUFFIXES
+from risorius.script.suffixes import RECORDING_SUFFIXES
 from risorius.settings import Settings, settings_of
 from risorius.settings.declare import rows
 from risorius.studio.request_table import VERBS

@@ -78,7 +78,7 @@ def test_unreadable_files_are_refused(tmp_path: Path, monkeypatch: pytest.Monkey
         ("a.WAV", b"RIFF\0\0", "a.WAV: is a recording; expected it after --audio"),
         ("a.xml", b"", "a.xml:1: the script is empty"),
         ("a.xml", b"<A>", "a.xml:1:1: A is not closed"),
-        ("a.md", b"hello", "a.md: unknown suffix '.md'; expected one of .txt, .xml"),
+        ("a.rst", b"hello", "a.rst: unknown suffix '.rst'; expected one of .txt, .xml"),
         ("a.tx", b"hello", "a.tx: unknown suffix '.tx'; did you mean '.txt'?"),
         ("a.json", b"{}", "a.json: unknown suffix '.json'; expected one of .txt, .xml"),
     ],

@@ -15,6 +15,7 @@ from ..rules.emotions import Displays
 from ..rules.profiles import attitude
 from ..rules.rule_set import emotions_of, rule_set_of
 from ..script import Script
+from ..script.plain import TextForm
 from ..settings import Settings, settings_of
 from ..speech import Input, read
 from ..speech.input import TRANSCRIPT_SUFFIXES
@@ -88,7 +89,8 @@ class JobMaker:
         if settings.look.transparent:
             check_alpha(OutputFile(local_path(pattern.text), pattern.format) for pattern in self.patterns)
         sheet = None if self.sheets is None else str(self.sheets / f"{name}.png")
-        given = replace(self._input(cells), language=settings.language)
+        form = TextForm(settings.format, settings.keep_tags)
+        given = replace(self._input(cells), language=settings.language, form=form)
         return BatchJob(name, row.place, given, emotions, settings, outputs, sheet)
 
     def _settings(self, cells: Mapping[str, str]) -> dict[str, str]:
@@ -116,7 +118,8 @@ class JobMaker:
             raise InputError("has an audio without words; expected its transcript, a text or a script")
         if transcript is not None and _names_a_file(transcript):
             transcript = self._file(transcript)
-        return Input(text if text is not None else self._file(script), audio, transcript, text is not None)
+        named = text if text is not None else self._file(script)
+        return Input(named, audio, transcript, text is not None)
 
     def _file(self, name: str | None) -> str | None:
         """Return a row's file as seen from the current folder; raises InputError if it is missing."""

@@ -18,7 +18,7 @@ from typing import Any, BinaryIO
 from ..errors import InputError, Place, RisoriusError
 from ..machine.paths import exists, is_utf8
 from ..reading.json_text import parse_json
-from ..script.read import RECORDING_SUFFIXES
+from ..script.suffixes import RECORDING_SUFFIXES
 
 LONGEST_LINE = 1_000_000  # bytes
 LABEL_SUFFIXES = (".textgrid", ".lab", ".txt")

@@ -112,6 +112,8 @@
  * @property {number|null} [rate]
  * @property {boolean} [voice_emotion]
  * @property {string|null} [answers]
+ * @property {string|null} [format]
+ * @property {boolean} [keep_tags]
  * @property {number} [lead]
  * @property {number} [tail]
  * @property {string} [profile]

@@ -13,6 +13,7 @@ from ..core.channels import CHANNELS
 from ..core.counter_rng import CounterRng
 from ..core.movement import LipSegment, Movement
 from ..core.score import BlendSettings, Score, check_course
+from ..core.speech.characters import shown
 from ..errors import ParameterError, unknown
 from ..rules.habits import with_habits
 from ..rules.match import Event, events_of
@@ -67,7 +68,7 @@ def compose(
         tuple(performed),
         () if "lips" in without else tuple(segments),
         settings=settings or BlendSettings(),
-        text=inputs.utterance.text if inputs.utterance else "",
+        text=shown(inputs.utterance.text) if inputs.utterance else "",
         seed=seed,
     )
     check_course(score)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -16,8 +17,8 @@ from .outputs import written
 @click.argument("audio")
 @click.argument("transcript", required=False)
 @output_option
-@setting_options(names=("language",))
-def align(audio: str, transcript: str | None, outputs: tuple[Path, ...], language: str | None) -> None:
+@setting_options(names=("language", "format", "keep_tags"))
+def align(audio: str, transcript: str | None, outputs: tuple[Path, ...], **chosen: Any) -> None:
     """Find when each word and phone of TRANSCRIPT (a text, or a file) is spoken in AUDIO.
 
     Correct the TextGrid in Praat, then perform it: risorius speak x.TextGrid --audio x.wav. Without a
@@ -30,7 +31,7 @@ def align(audio: str, transcript: str | None, outputs: tuple[Path, ...], languag
         from ..speech.prosody import speech_rate
 
         check_outputs(files, available=("speech",))
-        take = find(audio, transcript, language=language, progress=console.progress)
+        take = find(audio, transcript, **chosen, progress=console.progress)
         take.write(*files)
         if utterance := take.utterance:
             console.say(

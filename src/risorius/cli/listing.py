@@ -74,6 +74,7 @@ def languages() -> Listing:
     """The languages, with the data that each has beside its sounds."""
     from ..languages import language_of
     from ..languages import languages as all_languages
+    from ..languages.load import has_readings
     from ..speech.engines.voices import speaking
 
     names: dict[str, list[str]] = {code: [] for code in all_languages() if code != "und"}
@@ -83,10 +84,12 @@ def languages() -> Listing:
     for code, voices in sorted(names.items()):
         known = language_of(code)
         own = known.code == code
-        told = (known.function_words, known.abbreviations.titles, _tells_questions(known))
+        tables = (known.function_words, known.abbreviations.titles, _tells_questions(known))
+        told = (*tables, has_readings(code), known.tested)
         name = known.name if own else voices[0]
         rows.append((code, name, str(len(voices)), *("yes" if own and it else "" for it in told)))
-    return ("language", "name", "voices", "function words", "abbreviations", "questions"), rows
+    columns = ("function words", "abbreviations", "questions", "numbers and dates", "tested")
+    return ("language", "name", "voices", *columns), rows
 
 
 def _tells_questions(language: Language) -> bool:

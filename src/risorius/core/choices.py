@@ -49,6 +49,11 @@ CONFLICT_POLICIES = ("inhibit", "graded", "attenuate", "sum")
 ONSET_FUNCTIONS = ("exponential", "linear", "minimum_jerk", "saccade")
 LIP_MODELS = ("effort", "dominance", "lookahead")
 BLINK_MODELS = ("natural", "itti", "pelachaud", "none")
+MARKDOWN, PLAIN_TEXT = "markdown", "plain"
+TEXT_FORMATS: Mapping[str, str] = MappingProxyType(
+    {MARKDOWN: "marks are not spoken", PLAIN_TEXT: "only asterisks are marks"}
+)
+"""The formats of a text without markup of its own."""
 MANNERS = ("plain", "whisper", "murmur", "shout")
 EXPRESSIONS = ("felt", "posed")
 DYNAMICS: Mapping[str, str] = MappingProxyType(

@@ -23,12 +23,21 @@ FOCUSED = (Emphasis.STRONG, Emphasis.MODERATE)
 
 
 @dataclass(frozen=True, slots=True)
+class Hertz:
+    """A pitch of `value` Hz; if `added`, it is added to the pitch of the voice itself."""
+
+    value: float
+    added: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class DirectedSpan:
     """Directions for speaking characters [start, end) of a line.
 
     `phones`: ARPAbet with stress digits, or IPA with stress marks, that replace the dictionary's; `seconds`:
     how long each lasts, empty if that is free. `voice`: another voice's name; `language`: the language (BCP
-    47) of another voice.
+    47) of another voice. `pitch`: in Hz, which only the voice's own pitch makes into semitones. `spoken`: the
+    words that are said in place of those written.
     """
 
     start: int
@@ -40,11 +49,13 @@ class DirectedSpan:
     seconds: tuple[float, ...] = ()
     voice: str | None = None
     language: str | None = None
+    pitch: Hertz | None = None
+    spoken: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Break:
-    """A pause of `seconds` before character `at`."""
+    """A pause of `seconds` before character `at`; of 0 seconds, there is no pause, whatever is written."""
 
     at: int
     seconds: float
@@ -62,11 +73,15 @@ class ToneMark:
 
 @dataclass(frozen=True, slots=True)
 class Sync:
-    """A named place in the text, before character `at`; `seconds` after the line's start if that is given."""
+    """A named place in the text, before character `at`; if `ends`, after the word before it.
+
+    `seconds` after the start of the line, if that is given.
+    """
 
     name: str
     at: int
     place: Place
+    ends: bool = False
     seconds: float | None = None
 
 

@@ -21,11 +21,15 @@ _BEFORE, _AFTER, _REST = 12, 4, 40
 
 
 class Replacement(NamedTuple):
-    """A stretch [start, end) of the source, and what is read in its place."""
+    """A stretch [start, end) of the source, and what is read in its place.
+
+    `joined`: each text that is read belongs to one word, which ends where the next one begins.
+    """
 
     start: int
     end: int
     read: tuple[ReadText, ...]
+    joined: bool = False
 
 
 @dataclass(frozen=True)
@@ -86,11 +90,25 @@ def _either(entries: Mapping[str, object]) -> str:
 
 
 def written_out(
-    text: str, start: int, end: int, table: Abbreviations, function_words: Set[str]
+    text: str,
+    start: int,
+    end: int,
+    table: Abbreviations,
+    function_words: Set[str],
+    *,
+    stop: int | None = None,
 ) -> Iterator[Replacement]:
-    """Yield what of characters [start, end) of a text is read otherwise than it is written."""
-    for match in table.pattern.finditer(text, start, end):
-        kind, rest = str(match.lastgroup), text[match.end() : end]
+    """Yield what of characters [start, end) of a text is read otherwise than it is written.
+
+    `stop`: where the text ends that tells whether a sentence goes on, by default `end`.
+    """
+    stop = end if stop is None else stop
+    for match in table.pattern.finditer(text, start, stop):
+        if match.start() >= end:
+            return
+        if match.end() > end:
+            continue
+        kind, rest = str(match.lastgroup), text[match.end() : stop]
         reader = _READERS.get(kind)
         if reader is not None:
             read = reader(match, rest, table)

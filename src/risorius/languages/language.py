@@ -115,11 +115,13 @@ class Discourse:
 class LanguageTable:
     """The file `language.toml`.
 
-    `tones`: pitch tells words apart. `function_words`: words that normally carry no accent, by kind.
+    `tested`: whether real texts were spoken and compared with published rules. `tones`: pitch tells words
+    apart. `function_words`: words that normally carry no accent, by kind.
     `fillers`: sounds of hesitation. `spaces`: blanks stand between words.
     """
 
     name: str
+    tested: bool = False
     tones: bool = False
     spaces: bool = True
     function_words: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
@@ -157,6 +159,7 @@ class Language:
 
     code: str
     name: str
+    tested: bool
     tones: bool
     spaces: bool
     arpabet: bool

@@ -7,6 +7,7 @@ import unicodedata
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
+from types import ModuleType
 from typing import Any, TypeVar, cast
 
 from ..reading.schema import build
@@ -34,19 +35,18 @@ def language_of(code: str) -> Language:
 
     A language without a folder is as the undetermined one.
     """
-    parts = code.lower().replace("_", "-").split("-")
-    names = ("-".join(parts[:count]) for count in range(len(parts), 0, -1))
-    return _language(next((name for name in names if name in languages()), UNDETERMINED))
+    return _language(folder_of(code))
 
 
 @cache
 def _language(code: str) -> Language:
-    table = _read(LanguageTable, code, "language.toml")
-    phones = _read(PhoneTable, code, "phones.toml")
-    listed = _read(WordList, code, "words.toml")
+    table = read_table(LanguageTable, code, "language.toml")
+    phones = read_table(PhoneTable, code, "phones.toml")
+    listed = read_table(WordList, code, "words.toml")
     return Language(
         code=code,
         name=table.name,
+        tested=table.tested,
         tones=table.tones,
         spaces=table.spaces,
         arpabet=phones.arpabet,
@@ -60,22 +60,41 @@ def _language(code: str) -> Language:
         spellings=phones.spellings,
         tone_letters=phones.tones,
         words=frozenset(word for words in listed.words.values() for word in words.split()),
-        abbreviations=_read(Abbreviations, code, "abbreviations.toml"),
+        abbreviations=read_table(Abbreviations, code, "abbreviations.toml"),
         mnemonics=_mnemonics(code),
-        intonation=_read(IntonationTable, code, "intonation.toml"),
+        intonation=read_table(IntonationTable, code, "intonation.toml"),
         number_readings=_number_readings(code),
     )
 
 
 def _mnemonics(code: str) -> Mnemonics:
     """Return how espeak-ng spells a language's phones; raise InputError if it dictates some, but not all."""
-    table = _read(Mnemonics, code, "mnemonics.toml")
+    table = read_table(Mnemonics, code, "mnemonics.toml")
     if table.dictated:
         check_phones(f"{code}/mnemonics.toml", table.dictated)
     return table
 
 
-def _read(cls: type[T], code: str, name: str) -> T:
+def folder_of(code: str) -> str:
+    """Return the code of the folder of a language (BCP 47), "und" for a language without one."""
+    parts = code.lower().replace("_", "-").split("-")
+    names = ("-".join(parts[:count]) for count in range(len(parts), 0, -1))
+    return next((name for name in names if name in languages()), UNDETERMINED)
+
+
+def has_readings(code: str) -> bool:
+    """Tell whether the folder of a language says how numbers and dates are read."""
+    return any((_FOLDER / code / name).is_file() for name in ("readings.toml", "kanji.py"))
+
+
+def module_of(code: str, name: str) -> ModuleType | None:
+    """Return a module in the folder of a language, None if it has none of that name."""
+    if not (_FOLDER / code / f"{name}.py").is_file():
+        return None
+    return importlib.import_module(f"{__package__}.{code}.{name}")
+
+
+def read_table(cls: type[T], code: str, name: str) -> T:
     """Return a file of a language, laid over that of the undetermined one; either may be missing."""
     text, tables = _tables(code, name)
     if code != UNDETERMINED:
@@ -105,7 +124,5 @@ def _laid_over(base: Mapping[str, Any], tables: Mapping[str, Any]) -> dict[str, 
 
 
 def _number_readings(code: str) -> NumberReadings:
-    if not (_FOLDER / code / "numbers.py").is_file():
-        return lambda text: ()
-    module = importlib.import_module(f"{__package__}.{code}.numbers")
-    return cast(NumberReadings, module.number_readings)
+    module = module_of(code, "numbers")
+    return cast(NumberReadings, getattr(module, "number_readings", lambda text: ()))

@@ -11,11 +11,13 @@ from typing import Protocol
 import numpy as np
 
 from ..core.arrays import Array
+from ..core.choices import PLAIN_TEXT
 from ..core.speech.audio import Samples
 from ..errors import warnings_to
 from ..pipeline import perform
 from ..rules.emotions import Displays
 from ..script import read_script
+from ..script.plain import TextForm
 from ..settings import Settings
 from ..speech import SynthesisCache
 from ..speech.engines.registry import is_voice_file, load_engine
@@ -40,7 +42,7 @@ def perform_sentence(
 
     Speech from `before` is not spoken again; what is spoken is added to it.
     """
-    script = read_script(text, text=True, source="live")
+    script = read_script(text, text=True, source="live", form=TextForm(PLAIN_TEXT, settings.keep_tags))
     return perform(script, feelings, settings, before=before)
 
 

@@ -9,9 +9,11 @@ from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
 
-from ..errors import InputError
+from ..core.speech.characters import shown
+from ..errors import InputError, warn
 from ..languages import language_of
 from ..rules.emotions import Display, Displays
+from ..script.tree import ScriptWarning
 from .hearing import Hearing, texts_of
 from .sentences import SentenceBuffer
 from .voice import VoiceBuffer, VoicedPhrase
@@ -32,8 +34,8 @@ class LiveSentence:
     rate: int = 0
 
     def said(self) -> str:
-        """Return the text, with the blanks after it."""
-        return self.text if self.voice is None else texts_of([self.voice.result()])[0]
+        """Return the text, with the blanks after it, as it is shown."""
+        return shown(self.text) if self.voice is None else texts_of([self.voice.result()])[0]
 
     @property
     def is_heard(self) -> bool:
@@ -48,12 +50,18 @@ class LiveSentence:
 class SentenceQueue:
     """Sentences that wait, in order, and the last one, which is not whole yet.
 
-    `hear` hears a phrase of a voice, after the one before it if there is one.
+    `hear` hears a phrase of a voice, after the one before it if there is one. `format`: that of the text.
     """
 
-    def __init__(self, language: str, hear: Callable[[VoicedPhrase, Hearing | None], Hearing]) -> None:
-        self._hear_later = hear
-        self._text, self._voice = SentenceBuffer(language_of(language)), VoiceBuffer()
+    def __init__(
+        self,
+        language: str,
+        hear: Callable[[VoicedPhrase, str, Hearing | None], Hearing],
+        format: str | None = None,
+    ) -> None:
+        self._language, self._hear_later = language, hear
+        self._text, self._voice = SentenceBuffer(language_of(language), format, self._tell), VoiceBuffer()
+        self._told: set[str] = set()
         # The phrase before, which the next one of the same voice goes on from.
         self._before: Hearing | None = None
         self._whole: deque[LiveSentence] = deque()
@@ -135,11 +143,17 @@ class SentenceQueue:
         unsaid = [sentence.said() for sentence in self._whole]
         if self._before is not None:
             unsaid.append(self._before.result().rest)
-        unsaid += [self._voice.text, *self._text.flush()]
+        unsaid += [self._voice.text, *map(shown, self._text.flush())]
         self._voice.flush()
         self._before = None
         self._whole.clear()
         return "".join(unsaid)
+
+    def _tell(self, name: str) -> None:
+        """Warn, once for each kind, of what is left out of Markdown."""
+        if name not in self._told:
+            self._told.add(name)
+            warn(f"live: read as Markdown; left out: {name}", ScriptWarning)
 
     def _check(self) -> None:
         if len(self._whole) >= MOST_WAITING:
@@ -150,6 +164,6 @@ class SentenceQueue:
 
     def _hear(self, phrases: list[VoicedPhrase]) -> None:
         for phrase in phrases:
-            heard = self._hear_later(phrase, self._before)
+            heard = self._hear_later(phrase, self._language, self._before)
             self._before = heard if phrase.is_open else None
             self._whole.append(LiveSentence("", self.felt, heard, phrase.sample_rate))

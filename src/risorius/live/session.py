@@ -94,7 +94,7 @@ class Live:
         self._weights = _weights(self._settings) if arkit else None
         language = language_spoken(chosen)
         self._waiting = SentenceQueue(
-            language, lambda phrase, before: hear_later(self._performer, phrase, language, before)
+            language, lambda *phrase: hear_later(self._performer, *phrase), chosen.format
         )
         # Why phrases are heard less well than they might be.
         self._faults: deque[str] = deque()

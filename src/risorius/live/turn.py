@@ -10,8 +10,10 @@ from math import ceil
 
 from ..core.arrays import Array
 from ..core.speech.audio import Samples
+from ..core.speech.characters import shown
 from ..errors import RisoriusError
 from ..rules.emotions import Displays
+from ..script.plain import without_asterisks
 from ..settings import Settings
 from .hearing import texts_of
 from .performer import Played, TurnPerformer
@@ -63,7 +65,7 @@ class LiveStretch:
     def unsaid_after(self, seconds: float) -> str:
         """Return the text from the first word that starts after `seconds` to the end."""
         later = [character for start, character in self.words if start > seconds]
-        return self.spoken[later[0] :] if later else ""
+        return shown(self.spoken[later[0] :]) if later else ""
 
     def join_deadline(self, fps: Fraction) -> int:
         """Return the last frame before which sentences may join."""
@@ -180,7 +182,7 @@ def stretch_of(
         played.sample_rate or rate,
         sentences,
         "".join(texts),
-        tuple(text.strip() for text in texts if text),
+        tuple(shown(without_asterisks(text)).strip() for text in texts if text),
         tuple(starts),
         played.words,
         feelings,

@@ -4,16 +4,22 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
-from ..errors import InputError, ParameterError, unknown
+from ..core.directions import Hertz
+from ..core.speech.voice_style import VoiceAdjustment
+from ..errors import InputError, ParameterError, RisoriusError, unknown
+from ..rules.ssml import SsmlTable
 from .anchor import NUMBER
 from .elements import Attribute
 from .quote import one_line, quoted
-from .tree import Unknowns, XmlNode
+from .tree import XmlNode
 
 LONGEST_BREAK = 60.0
+MOST_SEMITONES = 24.0
+QUIETEST, LOUDEST = -60.0, 12.0
+LeaveOut = Callable[[Attribute, RisoriusError], None]
 _SECONDS = re.compile(rf"(?<!\d)({NUMBER})(ms|s)", re.ASCII)
 _AMOUNT = re.compile(rf"([+-]?)({NUMBER})(%|st|Hz|dB)?", re.ASCII | re.IGNORECASE)
 
@@ -42,50 +48,83 @@ class _Amount(NamedTuple):
         return -self.number if self.sign == "-" else self.number
 
 
-def factor(node: XmlNode, name: str, words: Mapping[str, float]) -> float:
+def adjustment(node: XmlNode, table: SsmlTable, leave_out: LeaveOut) -> VoiceAdjustment:
+    """Return how `prosody` changes the voice; values that are not understood are told to `leave_out`."""
+    readers: Mapping[str, tuple[float, Callable[[Attribute], float]]] = {
+        "rate": (1.0, lambda attribute: _factor(attribute, table.rate)),
+        "pitch": (0.0, lambda attribute: _semitones(attribute, table.pitch)),
+        "range": (1.0, lambda attribute: _factor(attribute, table.range)),
+        "volume": (0.0, lambda attribute: _decibels(attribute, table.volume)),
+    }
+    values = {name: usual for name, (usual, _) in readers.items()}
+    for name, (_, read) in readers.items():
+        attribute = node.get(name)
+        if attribute is not None:
+            try:
+                values[name] = read(attribute)
+            except RisoriusError as error:
+                leave_out(attribute, error)
+    return VoiceAdjustment(**values)
+
+
+def pitch_in_hertz(node: XmlNode) -> Hertz | None:
+    """Return the pitch of `prosody` if it is in Hz, as `120Hz` or `+15Hz`."""
+    amount = _amount(node.text_of("pitch") or "")
+    if amount is None or amount.unit != "hz":
+        return None
+    return Hertz(amount.signed, added=bool(amount.sign))
+
+
+def _factor(attribute: Attribute, words: Mapping[str, float]) -> float:
     """Return a factor: a word of the table, `120%` of the usual, or a change such as `+20%`."""
-    attribute = node.get(name)
-    if attribute is None:
-        return 1.0
     rate = _value_of(attribute, words, ("%", ""), ("120%", "+20%"))
     if not isinstance(rate, _Amount):
         return rate
     share = rate.signed * (0.01 if rate.unit else 1.0)
     result = 1.0 + share if rate.sign else share
     if not 0.1 <= result <= 10.0:
-        shown = f"{name} = {quoted(attribute.value.strip())}"
-        raise InputError(f"{shown} is out of range; expected 10% to 1000%", attribute.place)
+        raise _out_of_range(attribute, "10% to 1000%")
     return result
 
 
-def semitones(unknowns: Unknowns, node: XmlNode, words: Mapping[str, float]) -> float:
-    """Return a pitch in semitones from the usual: a word of the table, `+2st` or `+10%`."""
-    attribute = node.get("pitch")
-    if attribute is None:
-        return 0.0
-    pitch = _value_of(attribute, words, ("%", "st", "hz"), ("+2st", "+10%"))
+def _semitones(attribute: Attribute, words: Mapping[str, float]) -> float:
+    """Return a pitch in semitones from the usual: a word of the table, `+2st` or `+10%`; 0 if in Hz."""
+    pitch = _value_of(attribute, words, ("%", "st", "hz"), ("+2st", "+10%", "120Hz"))
     if not isinstance(pitch, _Amount):
         return pitch
     if pitch.unit == "hz":
-        unknowns.tell("pitch in Hz", attribute.place)
         return 0.0
     amount = pitch.signed
     if pitch.unit == "%":
         share = 1.0 + 0.01 * amount if pitch.sign else 0.01 * amount
         amount = 12.0 * math.log2(max(share, 0.01))
-    if not -24.0 <= amount <= 24.0:
-        shown = f"pitch = {quoted(attribute.value.strip())}"
-        raise InputError(f"{shown} is out of range; expected two octaves at most", attribute.place)
+    if not -MOST_SEMITONES <= amount <= MOST_SEMITONES:
+        raise _out_of_range(attribute, "two octaves at most")
     return amount
 
 
-def decibels(node: XmlNode, words: Mapping[str, float]) -> float:
-    """Return a volume in dB from the usual: a word of the table, or `+6dB`."""
-    attribute = node.get("volume")
-    if attribute is None:
-        return 0.0
-    volume = _value_of(attribute, words, ("db",), ("+6dB",))
-    return max(-60.0, min(volume.signed, 12.0)) if isinstance(volume, _Amount) else volume
+def _decibels(attribute: Attribute, words: Mapping[str, float]) -> float:
+    """Return a volume in dB from the usual: a word of the table, `+6dB`, `80` or `80%` of the usual
+    amplitude (SSML 1.0 and vendors), or a change of that, `-20` or `+20%`.
+    """
+    volume = _value_of(attribute, words, ("db", "%", ""), ("+6dB", "80", "+20%"))
+    if not isinstance(volume, _Amount):
+        return volume
+    decibels = volume.signed
+    if volume.unit != "db":
+        share = 0.01 * volume.signed + (1.0 if volume.sign else 0.0)
+        decibels = 20.0 * math.log10(share) if share > 0.0 else QUIETEST
+    return max(QUIETEST, min(decibels, LOUDEST))
+
+
+def _out_of_range(attribute: Attribute, expected: str) -> InputError:
+    shown = f"{attribute.name} = {quoted(attribute.value.strip())}"
+    return InputError(f"{shown} is out of range; expected {expected}", attribute.place)
+
+
+def _amount(text: str) -> _Amount | None:
+    match = _AMOUNT.fullmatch(text.strip())
+    return None if match is None else _Amount(match[1], float(match[2]), (match[3] or "").lower())
 
 
 def _value_of(
@@ -95,8 +134,8 @@ def _value_of(
     value = attribute.value.strip()
     if value in words:
         return words[value]
-    match = _AMOUNT.fullmatch(value)
-    if match is None or (match[3] or "").lower() not in units:
+    amount = _amount(value)
+    if amount is None or amount.unit not in units:
         known = (*words, *examples)
         raise ParameterError(unknown(attribute.name, one_line(attribute.value), known), attribute.place)
-    return _Amount(match[1], float(match[2]), (match[3] or "").lower())
+    return amount

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from ..core.directions import Directions, Sync
 from ..core.units import MAX_SECONDS
 from ..errors import InputError
@@ -22,10 +24,15 @@ class _SpeechWriter(SsmlWriter):
         if node.name != "sync":
             super().perform(node)
             return
-        name = node.required("id", 'id="tm1"').value.strip()
+        self.at_edge = True
+        self.name_place(node.required("id", 'id="tm1"').value.strip(), node)
+
+    def name_place(self, name: str, node: XmlNode) -> None:
+        """Name the place that is reached; raise InputError if it is named already."""
         if any(sync.name == name for sync in self.syncs):
             raise InputError(f"sync point '{one_line(name)}' is set twice; expected it once", node.place)
-        self.syncs.append(Sync(name, len(self.text), node.place, _seconds(node)))
+        super().name_place(name, node)
+        self.syncs[-1] = replace(self.syncs[-1], seconds=_seconds(node))
 
 
 def _seconds(node: XmlNode) -> float | None:

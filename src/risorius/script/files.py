@@ -6,6 +6,7 @@ import codecs
 from pathlib import Path
 
 from ..errors import InputError, Place
+from .kinds import kind_of_bytes
 from .quote import LONGEST_PATH, one_line
 from .speakable import position
 
@@ -33,7 +34,11 @@ def read_text(path: str) -> str:
     place = Place(one_line(path, LONGEST_PATH))
     if Path(path).is_dir():
         raise InputError("is a folder; expected a file, or --text to have the words spoken", place)
-    return decode(read_bytes(path, MAX_BYTES, place), place.file)
+    data = read_bytes(path, MAX_BYTES, place)
+    kind = kind_of_bytes(data)
+    if kind is not None:
+        raise InputError(kind, place)
+    return decode(data, place.file)
 
 
 def read_bytes(path: str, largest: int, place: Place) -> bytes:

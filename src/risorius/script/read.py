@@ -10,14 +10,16 @@ from collections.abc import Callable
 from pathlib import Path
 
 from ..core.registry import Registry
-from ..errors import InputError, Place, unknown
+from ..errors import InputError, Place, UnusedSettingError, unknown
 from .bml import parse_bml
 from .files import names_something, read_text
+from .kinds import SUFFIXES, misplaced
 from .markup import parse_markup
 from .model import Script
-from .plain import parse_plain
+from .plain import USUAL_FORM, TextForm, parse_markdown, parse_plain
 from .quote import LONGEST_PATH, one_line
 from .ssml import parse_ssml
+from .suffixes import INPUT_SUFFIXES, RECORDING_SUFFIXES
 from .utt import parse_utterance
 
 ScriptReader = Callable[[str, str], Script]
@@ -28,30 +30,31 @@ READERS.register(".xml")(parse_markup)
 READERS.register(".utt")(parse_utterance)
 READERS.register(".ssml")(parse_ssml)
 READERS.register(".bml")(parse_bml)
+READERS.register(".md")(parse_markdown)
+READERS.register(".markdown")(parse_markdown)
 
-# A text with one of these suffixes is a file, never words to speak, even if no reader is registered for it.
-INPUT_SUFFIXES = (".txt", ".xml", ".utt", ".ssml", ".bml", ".textgrid", ".json")
+# Texts, whose form can be chosen.
+TEXT_READERS = {"": parse_plain, ".txt": parse_plain, ".md": parse_markdown, ".markdown": parse_markdown}
 _WORD = re.compile(r"[^\s\0]+")
 _ENDING = re.compile(r"\.\d{0,4}[A-Za-z][A-Za-z0-9]{0,4}")
-RECORDING_SUFFIXES = (
-    *(".wav", ".flac", ".ogg", ".opus", ".mp3", ".m4a", ".aac"),
-    *(".mp4", ".m4v", ".mov", ".3gp", ".webm", ".mkv"),
-)
 
 
-def read_script(script: str, *, text: bool = False, source: str = "text") -> Script:
+def read_script(
+    script: str, *, text: bool = False, source: str = "text", form: TextForm = USUAL_FORM
+) -> Script:
     """Return the script of `script`: a file if it names one or ends like one, else the words themselves.
 
-    `text`: take it as words whatever it looks like. `source` names the words in messages. Raises InputError
-    or ParameterError with the place in the file.
+    `text`: take it as words whatever it looks like. `source` names the words in messages. `form`: that of
+    a text. Raises InputError or ParameterError with the place in the file.
     """
     if text or not script.strip():
-        return parse_plain(script, source)
+        return parse_plain(script, source, form)
     suffix = _suffix(script)
     named = suffix in (*INPUT_SUFFIXES, *READERS) or _is_like_a_name(script)
     if not named and not names_something(script):
-        return parse_plain(script, source)
-    return _read_file(script, suffix)
+        _check_kind(script, source)
+        return parse_plain(script, source, form)
+    return _read_file(script, suffix, form)
 
 
 def _is_like_a_name(script: str) -> bool:
@@ -61,27 +64,41 @@ def _is_like_a_name(script: str) -> bool:
     return bool(like and _WORD.fullmatch(script))
 
 
-def parse_script(text: str, suffix: str, source: str = "text") -> Script:
+def parse_script(text: str, suffix: str, source: str = "text", form: TextForm = USUAL_FORM) -> Script:
     """Return the script of a text in the format of files with `suffix` (".xml"); no file is opened.
 
-    Raises InputError or ParameterError with the place in the text.
+    `form`: that of a text. Raises InputError or ParameterError with the place in the text.
     """
+    if suffix in TEXT_READERS:
+        return TEXT_READERS[suffix](text, source, form)
+    chosen = [name for name, value in form._asdict().items() if value and name != "heard"]
+    if chosen:
+        raise UnusedSettingError(chosen, f"'{suffix}' has a form of its own; expected a text", Place(source))
     return READERS.get(suffix)(text, source)
+
+
+def _check_kind(text: str, source: str, suffix: str = "") -> None:
+    """Raise InputError if a text, in a file with this suffix, is something else than it is taken for."""
+    kind = misplaced(text, suffix)
+    if kind is not None:
+        hint = ", or --text to have it spoken as it stands" if suffix in TEXT_READERS else ""
+        raise InputError(f"{kind}{hint}", Place(source))
 
 
 def _suffix(script: str) -> str:
     return Path(script).suffix.lower() if "\0" not in script else ""
 
 
-def _read_file(path: str, suffix: str) -> Script:
+def _read_file(path: str, suffix: str, form: TextForm) -> Script:
     place = Place(one_line(path, LONGEST_PATH))
     if not names_something(path):
         raise InputError("there is no such file; expected a file, or --text to have the words spoken", place)
     if suffix in RECORDING_SUFFIXES:
         raise InputError("is a recording; expected it after --audio", place)
+    if suffix in SUFFIXES:
+        raise InputError(SUFFIXES[suffix], place)
     content = read_text(path)
-    if not suffix:
-        return parse_plain(content, place.file)
-    if suffix not in READERS:
+    _check_kind(content, place.file, suffix)
+    if suffix and suffix not in READERS:
         raise InputError(unknown("suffix", suffix, READERS), place)
-    return READERS.get(suffix)(content, place.file)
+    return parse_script(content, suffix, place.file, form)

@@ -2,7 +2,26 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
+
+
+def said_as(kind: str, words: str, form: str | None = None) -> str | None:
+    """Return what is said for `words`, by `interpret-as` and `format`; None for a kind that is not known."""
+    if kind == "date":
+        return _date(words, (form or "").lower())
+    reader = SAY_AS.get(kind)
+    return None if reader is None else reader(words)
+
+
+def _date(words: str, form: str) -> str | None:
+    """Return a date of three numbers as the language reads one (ISO 8601); None for other formats."""
+    numbers = re.findall(r"\d+", words)
+    if form and sorted(form) == sorted("dmy") and len(numbers) == len(form):
+        parts = dict(zip(form, map(int, numbers), strict=True))
+        year = parts["y"] + (2000 if parts["y"] < 50 else 1900 if parts["y"] < 100 else 0)
+        return f"{year:04d}-{parts['m']:02d}-{parts['d']:02d}"
+    return None if form else words
 
 
 def _spelt(words: str) -> str:
@@ -24,6 +43,10 @@ def _as_written(words: str) -> str:
     return words
 
 
+def _nothing(_: str) -> str:
+    return ""
+
+
 SAY_AS: Mapping[str, Callable[[str], str]] = {
     "characters": _spelt,
     "spell-out": _spelt,
@@ -35,5 +58,13 @@ SAY_AS: Mapping[str, Callable[[str], str]] = {
     "number": _as_written,
     "currency": _as_written,
     "unit": _as_written,
+    "time": _as_written,
+    "fraction": _as_written,
+    "address": _as_written,
+    "duration": _as_written,
+    "spell": _spelt,
+    "alphanumeric": _spelt,
+    "expletive": _nothing,
+    "bleep": _nothing,
 }
-"""The reader of each `interpret-as`; dates and times need a format, and are not understood."""
+"""The reader of each `interpret-as`; what is written is read as the language reads it."""

@@ -99,6 +99,13 @@ class Unknowns:
             self._told.add(what)
             warn(f"{place}: {what} is not understood; {instead}", ScriptWarning)
 
+    def misunderstood(self, message: str, place: Place, instead: str) -> None:
+        """Warn, once, of a value that is not as expected, with the error's message."""
+        shown = f"{place}: {message}"
+        if shown not in self._told:
+            self._told.add(shown)
+            warn(f"{shown}; {instead}", ScriptWarning)
+
     def check(self, node: XmlNode, known: Collection[str]) -> None:
         """Warn of a node's attributes that are not `known`; those of XML itself are."""
         for attribute in node.attributes:

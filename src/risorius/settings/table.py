@@ -223,6 +223,14 @@ class Settings(metaclass=Named):
         "Answers", None,
         "The question that the line answers: new words get accents, words of the question get none.",
         metavar="QUESTION", unset="no question")
+    format: str | None = _voice(
+        "Text is", None,
+        "Whether a text is {names}; by default it is Markdown if two kinds of its marks occur.",
+        names=choices.TEXT_FORMATS, what="format of a text", unset="as its marks tell")
+    keep_tags: bool = _voice(
+        "Speak tags", False,
+        "Speak tags such as [laughs] and (sighs), and in a transcript the names of speakers.",
+        flag="--keep-tags")
     lead: float = _silence(
         "Silence before, s", choices.LEAD, "Silence before plain text.",
         metavar="S", low=choices.SILENCES.low, high=choices.SILENCES.high, step=0.1)

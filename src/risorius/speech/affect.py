@@ -14,7 +14,7 @@ from ..rules.emotions import Display
 from ..rules.voice_emotion import voice_manner
 from ..script import Anchor, Script, SpokenLine
 from ..script.anchor import Base
-from .text.tokens import tokenize, with_words
+from .text.shape import worded
 
 # Seconds of a word that is not spoken yet.
 _STEP = 0.001
@@ -71,10 +71,16 @@ def coloured(script: Script, felt: Sequence[Feeling], words: Sequence[Word], dur
     return replace(script, lines=tuple(_coloured_line(line, words, manners) for line in script.lines))
 
 
-def written_words(script: Script, language: Language) -> tuple[Word, ...]:
-    """Return the words of a script that is not spoken yet: in their order, but a millisecond each."""
-    texts = ((line.source_offset, tokenize(line.text)) for line in script.lines)
-    tokens = [(start, token) for start, own in texts for token in with_words(own, language.words)]
+def written_words(script: Script, language: Language, variant: str) -> tuple[Word, ...]:
+    """Return the words of a script that is not spoken yet: in their order, but a millisecond each.
+
+    `variant`: the voice's language (BCP 47).
+    """
+    tokens = [
+        (line.source_offset, token)
+        for line in script.lines
+        for token in worded(line.text, line.directions, language, variant).tokens
+    ]
     return tuple(
         Word(token.text, number * _STEP, (number + 1) * _STEP, 0, 0, start + token.start, start + token.end)
         for number, (start, token) in enumerate(tokens)

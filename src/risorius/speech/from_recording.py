@@ -18,6 +18,7 @@ from .alignment.timed_words import TimedWord, locate_in_words, written
 from .assembly.retime import is_timed
 from .input import LabelledRecording, Recording
 from .prosody import measured
+from .recordings.cued import align_cues
 from .recordings.dictated import utterance_dictated
 from .recordings.labelled import (
     PHONE_TIERS,
@@ -32,6 +33,7 @@ from .recordings.recording import read_recording
 from .recordings.tone_labels import tells_accents, tells_boundaries
 from .structure.accents import intone
 from .structure.lines import whole
+from .structure.marks import with_marks
 
 WEAKER = "there is no transcript: words are recognized from the sound, with errors; check them in a TextGrid"
 
@@ -48,10 +50,14 @@ def align_recording(
         return _script_of(utterance, recording.labels), utterance
     audio, script = recording.audio, recording.script
     language = recording.language or (None if script is None else script.language)
-    if recording.transcript is not None or script is None:
+    if recording.cues:
+        progress("Aligning …")
+        utterance = measured(align_cues(read_recording(audio), recording.cues, language, progress))
+    elif recording.transcript is not None or script is None:
         utterance = hear_words(audio, recording.transcript, progress, language)
     else:
         utterance = with_written_tones(_hear_script(audio, script, progress, language), script)
+        utterance = _with_marks(utterance, script)
     return script or _script_of(utterance, str(audio)), utterance
 
 
@@ -132,6 +138,12 @@ def with_written_tones(utterance: Utterance, script: Script) -> Utterance:
         return utterance
     tones = Directions(accents=tuple(accents), boundaries=tuple(ends))
     return intone(utterance, (whole(utterance.text, utterance.phones, tones),))
+
+
+def _with_marks(utterance: Utterance, script: Script) -> Utterance:
+    """Return the utterance with the times of the places that the script names."""
+    syncs = tuple(s for line in script.lines for s in line.directions.moved(line.source_offset).syncs)
+    return with_marks(utterance, (whole(utterance.text, utterance.phones, Directions(syncs=syncs)),))
 
 
 def _script_of(utterance: Utterance, source: str) -> Script:

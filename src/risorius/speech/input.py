@@ -9,21 +9,27 @@ from pathlib import Path
 from ..errors import InputError, Place
 from ..script import Script, parse_script, read_script
 from ..script.files import names_something, read_text
+from ..script.plain import USUAL_FORM, TextForm, only_words
+from ..script.subtitles import SUBTITLE_SUFFIXES, TimedText, looks_like_subtitles, read_subtitles
+from ..script.suffixes import RECORDING_SUFFIXES
 
 LABELS_SUFFIX = ".textgrid"
-TRANSCRIPT_SUFFIXES = (".txt", ".lab")
+TRANSCRIPT_SUFFIXES = (".txt", ".lab", ".md", *SUBTITLE_SUFFIXES)
+HEARD = TextForm(heard=True)
 
 
 @dataclass(frozen=True, slots=True)
 class Recording:
     """A recorded voice: the file `audio`, and what is known of its words.
 
-    `transcript`: the words; `script`: the marks, and the words if there is no transcript. Without either, the
-    words are recognized. `language` is that of the words, by default the script's, or English.
+    `transcript`: the words, or `cues`: those of subtitles, with their times; `script`: the marks, and the
+    words if there is no transcript. Without either, the words are recognized. `language` is that of the
+    words, by default the script's, or English.
     """
 
     audio: str | PathLike[str]
     transcript: str | None = None
+    cues: tuple[TimedText, ...] = ()
     script: Script | None = None
     language: str | None = None
 
@@ -47,7 +53,7 @@ class Input:
     `script`: a text or the name of a file, a TextGrid among them; `text` takes it as a text whatever it looks
     like, `name` stands for it in messages. `audio`: the file of a recording; `transcript`: its words, or the
     name of a file with them; `language`: that of a recording's words. `content`: what the file `script`
-    holds, if it is not to be read from there.
+    holds, if it is not to be read from there. `form`: that of a text.
     """
 
     script: str | None = None
@@ -57,6 +63,7 @@ class Input:
     name: str = "text"
     content: str | None = None
     language: str | None = None
+    form: TextForm = USUAL_FORM
 
     @property
     def labels(self) -> str | None:
@@ -77,23 +84,46 @@ def read(source: Input) -> SpeechSource:
         if source.transcript is not None:
             raise InputError("a TextGrid has words of its own; expected no transcript", Place(source.labels))
         return LabelledRecording(source.labels, source.audio)
-    script = None if source.script is None else _script(source, source.script)
     if source.audio is not None:
-        return Recording(source.audio, read_transcript(source.transcript), script, source.language)
+        return _recording(source, source.audio)
+    script = None if source.script is None else _script(source, source.script, source.form)
     if script is None:
         raise InputError("nothing to perform; expected a text, a file or --audio")
     return script
 
 
-def _script(source: Input, script: str) -> Script:
+def _recording(source: Input, audio: str | PathLike[str]) -> Recording:
+    form = source.form._replace(heard=True)
+    if source.transcript is None and source.script is not None and _is_subtitles(source.script, source.text):
+        return Recording(audio, *read_transcript(source.script, form), language=source.language)
+    script = None if source.script is None else _script(source, source.script, form)
+    return Recording(audio, *read_transcript(source.transcript, form), script, source.language)
+
+
+def _script(source: Input, script: str, form: TextForm) -> Script:
     if source.content is not None:
-        return parse_script(source.content, Path(script).suffix.lower(), script)
-    return read_script(script, text=source.text, source=source.name)
+        return parse_script(source.content, Path(script).suffix.lower(), script, form)
+    return read_script(script, text=source.text, source=source.name, form=form)
 
 
-def read_transcript(transcript: str | None) -> str | None:
-    """Return a transcript, if there is one, read from its file if it names one."""
+def read_transcript(
+    transcript: str | None, form: TextForm = HEARD
+) -> tuple[str | None, tuple[TimedText, ...]]:
+    """Return the words of a transcript, if there is one, read from its file if it names one.
+
+    Subtitles are cues with their times, and no words. Tags and speakers' names are hidden as the `form` says.
+    """
     if not transcript:
-        return transcript
-    named = transcript.lower().endswith(TRANSCRIPT_SUFFIXES) or names_something(transcript)
-    return read_text(transcript) if named else transcript
+        return transcript, ()
+    if not transcript.lower().endswith(TRANSCRIPT_SUFFIXES) and not names_something(transcript):
+        return only_words(transcript, "transcript", form), ()
+    if Path(transcript).suffix.lower() in RECORDING_SUFFIXES:
+        raise InputError("is a recording; expected its words: a text, or a file with them", Place(transcript))
+    text = read_text(transcript)
+    if _is_subtitles(transcript) or looks_like_subtitles(text):
+        return None, read_subtitles(text, transcript, keep_tags=form.keep_tags)
+    return only_words(text, transcript, form), ()
+
+
+def _is_subtitles(name: str, text: bool = False) -> bool:
+    return not text and name.lower().endswith(SUBTITLE_SUFFIXES)

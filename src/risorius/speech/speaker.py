@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_right
 from collections.abc import Callable, Iterator, MutableMapping, Sequence
 from dataclasses import dataclass, replace
@@ -19,9 +20,13 @@ from .engines.registry import is_voice_file, load_engine, load_voice_file
 from .engines.voices import find_voice
 from .structure.context import PlacedWord, context_of, raised
 from .text.normalise import normalise, placed
+from .text.scripts import foreign_scripts
 from .text.sentences import divide
-from .text.tokens import Token, tokenize, with_words
+from .text.shape import worded
+from .text.tokens import Token
 
+MOST_SEMITONES = 24.0
+"""The furthest that a pitch in Hz moves a voice."""
 KnownRenditions = MutableMapping[SpeechRequest, Rendition]
 """The renditions of a voice, by their requests."""
 
@@ -71,24 +76,63 @@ class Speaker:
         `offset`, `time` and `gap` as in PreparedLine; without a `gap` it is the usual one. Raises InputError
         for directions that the voice's language does not allow.
         """
-        tokens = with_words(tokenize(text), self.language.words)
+        directions = self._in_semitones(directions)
+        directions = self._in_scripts(text, directions)
+        words = worded(text, directions, self.language, self.voice.language)
         if is_timed(directions) and not self.language.mnemonics.dictated:
             timed = next(span for span in directions.spans if span.seconds)
             message = f"durations of phonemes in '{self.voice.language}'; expected an English voice for them"
             raise InputError(message, timed.place)
         if directions.answers and not directions.accents:
-            directions = _answering(text, tokens, directions, self.language)
+            directions = _answering(text, words.tokens, directions, self.language)
         return PreparedLine(
-            text, tokens, directions, offset, time, LINE_PAUSE if gap is None else gap, *silences
+            words.text,
+            words.tokens,
+            directions,
+            offset,
+            time,
+            LINE_PAUSE if gap is None else gap,
+            *silences,
+            shape=words.shape,
+            dictated=words.dictated,
         )
+
+    def _in_scripts(self, text: str, directions: Directions) -> Directions:
+        """Return directions by which another voice reads words in scripts that this one would spell."""
+        taken = [
+            span for span in directions.spans if span.voice or span.language or span.phones or span.spoken
+        ]
+        words = [
+            word
+            for word in foreign_scripts(text, self.voice.language)
+            if not any(span.start < word.end and word.start < span.end for span in taken)
+        ]
+        unread = ", ".join(f"'{text[w.start : w.end]}'" for w in words if not w.language)
+        if unread:
+            warn(f"this voice cannot read {unread}; its characters are spelled", SpeechWarning)
+        spans = [
+            DirectedSpan(w.start, w.end, Place("text"), language=w.language) for w in words if w.language
+        ]
+        return replace(directions, spans=(*directions.spans, *spans)) if spans else directions
+
+    def _in_semitones(self, directions: Directions) -> Directions:
+        """Return directions without Hertz, which count from the voice's own pitch."""
+        if all(span.pitch is None for span in directions.spans):
+            return directions
+        own = self.mean_pitch
+        if own is None:
+            place = next(span.place for span in directions.spans if span.pitch is not None)
+            message = f"{place}: the voice's own pitch is not known; a pitch in Hz is left out"
+            warn(message, SpeechWarning)
+        return replace(directions, spans=tuple(_in_semitones(span, own) for span in directions.spans))
 
     def speak(self, line: PreparedLine) -> Iterator[SpokenPart]:
         """Speak a line, stretch by stretch; warn of sounds that had to be guessed."""
         text, language = line.text, self.language
-        stretches = divide(text, language)
+        stretches = divide(line.shape, language)
         guessed: dict[str, None] = {}
         for number, stretch in enumerate(stretches):
-            spoken = normalise(text, stretch.start, stretch.end, language)
+            spoken = normalise(text, stretch.start, stretch.end, language, line.dictated)
             last = number + 1 == len(stretches)
             request = SpeechRequest(
                 spoken.text,
@@ -115,6 +159,17 @@ class Speaker:
         rendition = self.spoken.get(request) or self.engine.synthesize(request)
         self.spoken[request] = rendition
         return rendition
+
+
+def _in_semitones(span: DirectedSpan, own: float | None) -> DirectedSpan:
+    if span.pitch is None:
+        return span
+    if own is None:
+        return replace(span, pitch=None)
+    wanted = own + span.pitch.value if span.pitch.added else span.pitch.value
+    semitones = 12.0 * math.log2(max(wanted, 1.0) / own)
+    semitones = max(-MOST_SEMITONES, min(semitones, MOST_SEMITONES))
+    return replace(span, pitch=None, manner=span.manner.then(VoiceAdjustment(pitch=semitones)))
 
 
 def find_speaker(name: str | None, language: str | None, engine: SpeechEngine | None = None) -> Speaker:

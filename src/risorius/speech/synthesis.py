@@ -157,7 +157,7 @@ def _speak_coloured(
     if speaker.spoken is None:
         speaker = replace(speaker, spoken={})
     if all(feeling.by_words for feeling in felt):
-        words = written_words(script, speaker.language)
+        words = written_words(script, speaker.language, speaker.voice.language)
         spoken = _speak(coloured(script, felt, words, words[-1].end if words else 0.0), speaker, silences)
         if [word.source_start for word in spoken.words] == [word.source_start for word in words]:
             return spoken

@@ -13,7 +13,9 @@ from hypothesis import strategies as st
 from risorius.core.speech.utterance import Utterance
 from risorius.errors import OutputError
 from risorius.ports.export_source import WritableTake, WriteOptions
-from risorius.ports.speech.subtitles import LINE, LINES, subtitles, write_srt, write_vtt
+from risorius.ports.speech.subtitles import LINES, SPACED, subtitles, write_srt, write_vtt
+from risorius.script.plain import parse_plain
+from risorius.speech import synthesize_script
 from tests.profiles import examples
 
 TIMES = re.compile(r"\d\d:\d\d:\d\d[,.]\d{3} --> \d\d:\d\d:\d\d[,.]\d{3}")
@@ -48,7 +50,7 @@ def test_all_words_are_shown_once_in_lines_that_can_be_read(words: list[str], se
     for cue in cues:
         assert cue.start < cue.end
         assert len(cue.shape.splitlines()) <= LINES
-        assert max(map(len, cue.shape.splitlines())) <= LINE
+        assert max(map(len, cue.shape.splitlines())) <= SPACED.width
     assert all(a.end <= b.start for a, b in pairwise(cues))
 
 
@@ -63,3 +65,22 @@ def test_marks_stand_with_the_words_that_they_open_and_close(sentence_of: Maker)
 def test_words_that_the_text_lacks_are_shown_as_they_are_said(sentence_of: Maker) -> None:
     said = replace(sentence_of("Doctor Smith."), text="Dr. Smith.")
     assert [cue.shape for cue in subtitles(said)] == ["Doctor Smith"]
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "cues"),
+    [
+        ("我想买一部iphone。你好，世界！", "cmn", ["我想买一部iphone。", "你好，世界！"]),
+        (
+            "他说：我们明天早上八点半在北京大学的东门外面见面，然后一起坐车去机场。",
+            "cmn",
+            ["他说：我们明天早上八点半在北京\n大学的东门外面见面，", "然后一起坐车去机场。"],
+        ),
+        ("えっと、こんにちは。げんきですか。", "ja", ["えっと、こんにちは。", "げんきですか。"]),
+        ("We *pack* it **today**.", "en-us", ["We pack it today."]),
+    ],
+)
+def test_cues_as_readers_of_the_language_expect_them(text: str, code: str, cues: list[str]) -> None:
+    script = parse_plain(text)
+    shown = [cue.shape for cue in subtitles(synthesize_script(script, language=code))]
+    assert shown == cues

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from praatio import textgrid as praatio_textgrid
 
-from risorius.core.speech.utterance import Accent, Boundary, Phone, Utterance
+from risorius.core.speech.utterance import Accent, Boundary, NamedTime, Phone, Utterance
 from risorius.errors import OutputError
 from risorius.ports.export_source import WritableTake, WriteOptions
 from risorius.ports.speech.textgrid import phone_label, write_textgrid
@@ -30,6 +30,16 @@ def _written(utterance: Utterance, take_of: Callable[..., WritableTake], path: P
 def test_nothing_said_is_an_error(tmp_path: Path, take_of: Callable[..., WritableTake]) -> None:
     with pytest.raises(OutputError, match="there is no speech"):
         write_textgrid(take_of(), tmp_path / "x.TextGrid", WriteOptions())
+
+
+def test_marks_are_a_tier_of_their_own(
+    tmp_path: Path, take_of: Callable[..., WritableTake], utterance_of: UtteranceMaker
+) -> None:
+    marks = (NamedTime("b", 0.8), NamedTime("c", 0.8), NamedTime("a", 0.25))
+    utterance = replace(utterance_of("M AA _ B IY"), marks=marks)
+    grid = _written(utterance, take_of, tmp_path / "x.TextGrid")
+    entries = [(entry.time, entry.label) for entry in grid.getTier("marks").entries]
+    assert entries == [(pytest.approx(0.25), "a"), (pytest.approx(0.8), "b, c")]
 
 
 def test_praatio_reads_all_tiers_without_gaps(

@@ -195,6 +195,17 @@ class Phrase:
 
 
 @dataclass(frozen=True, slots=True)
+class NamedTime:
+    """The time of a place that the script names (SSML's `mark`, BML's `sync`). Seconds."""
+
+    name: str
+    time: Seconds
+
+    def __post_init__(self) -> None:
+        put_on_ticks(self, "time")
+
+
+@dataclass(frozen=True, slots=True)
 class Sentence:
     """Words [first_word, last_word), which are whole phrases, and their type of question. Seconds."""
 
@@ -210,6 +221,7 @@ class Utterance:
     """All that is known about an utterance.
 
     `phones` cover [0, duration] without a gap, silences included; `phrases` cover all words, in order.
+    `marks`: the places that the script names, in the order of the text.
     """
 
     text: str
@@ -222,6 +234,7 @@ class Utterance:
     accents: tuple[Accent, ...] = ()
     boundaries: tuple[Boundary, ...] = ()
     phrases: tuple[Phrase, ...] = ()
+    marks: tuple[NamedTime, ...] = ()
 
     def __post_init__(self) -> None:
         check_continuous(self.phones, self.audio.duration)

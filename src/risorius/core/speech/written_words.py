@@ -5,16 +5,30 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
+from .characters import shown
 from .utterance import Utterance, Word
 
+# What ends a word or a sentence in scripts without blanks.
+_CLOSING = frozenset(
+    "\u3001\u3002\uff0c\uff0e\uff01\uff1f\uff1b\uff1a\uff09\u300d\u300f\u3011\u300b\u2026\u201d\u2019"
+)
 
-def written_words(utterance: Utterance) -> list[str]:
-    """Return the words with the marks that follow each in the text, as they are if they are not found."""
+
+def written_parts(utterance: Utterance) -> list[str]:
+    """Return the parts of the text that belong to each word, with the blanks after them."""
     starts = list(_starts(utterance.text, utterance.words))
     if len(starts) < len(utterance.words):
         return [word.text for word in utterance.words]
     edges = pairwise([*starts, len(utterance.text)])
-    return [utterance.text[start:end].strip() for start, end in edges]
+    return [shown(utterance.text[start:end]) for start, end in edges]
+
+
+def written_words(utterance: Utterance) -> list[str]:
+    """Return the words with the marks that follow each in the text, as they are if they are not found.
+
+    What is hidden in the text is left out.
+    """
+    return [part.strip() for part in written_parts(utterance)]
 
 
 def _starts(text: str, words: Sequence[Word]) -> Iterator[int]:
@@ -24,7 +38,7 @@ def _starts(text: str, words: Sequence[Word]) -> Iterator[int]:
         if start < 0:
             return
         end = start + len(word.text)
-        while start > at and not text[start - 1].isspace():
+        while start > at and not text[start - 1].isspace() and text[start - 1] not in _CLOSING:
             start -= 1  # what opens before a word, as a quotation mark
         yield start if number else 0
         at = end

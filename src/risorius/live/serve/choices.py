@@ -13,8 +13,8 @@ from ...speech.engines.registry import is_voice_file
 from .messages import StartFace
 
 NAMES = (
-    "language", "voice", "rate", "voice_emotion", "profile", "attitudes", "blinks", "lively", "manner",
-    "articulation", "without", "head", "age", "shape", "dynamics", "seed",
+    "language", "voice", "rate", "voice_emotion", "format", "keep_tags", "profile", "attitudes", "blinks",
+    "lively", "manner", "articulation", "without", "head", "age", "shape", "dynamics", "seed",
 )  # fmt: skip
 """The settings that a client may choose."""
 FASTEST = 120

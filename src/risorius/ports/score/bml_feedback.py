@@ -1,7 +1,7 @@
 """`.feedback.xml`: the plan as BML 1.0 feedback: when each behaviour will start and end (predictionFeedback).
 
-Behaviours are the words, and the movements of all channels but the lips. Times in seconds. Lost: targets and
-curves; progress feedback belongs to a running agent and is not predicted.
+Behaviours are the words, the marks of the script, and the movements of all channels but the lips. Times in
+seconds. Lost: targets and curves; progress feedback belongs to a running agent and is not predicted.
 """
 
 from __future__ import annotations
@@ -33,6 +33,8 @@ def _lines(take: WritableTake) -> Iterator[str]:
         yield f'  <speech id="{_BLOCK}:speech" start="0" end="{end}">'
         for number, word in enumerate(take.utterance.words):
             yield f'    <sync id="word{number}" time="{word.start:.6f}"/>'
+        for mark in take.utterance.marks:
+            yield f'    <sync id={quoteattr(mark.name)} time="{mark.time:.6f}"/>'
         yield "  </speech>"
     for number, movement in enumerate(take.performance.score.movements):
         element = _behaviour(movement)

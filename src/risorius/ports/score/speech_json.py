@@ -11,13 +11,25 @@ from types import MappingProxyType
 from typing import Annotated, Any
 
 from ...core.speech.audio import Audio, silence
-from ...core.speech.utterance import Accent, Boundary, Pause, Phone, Phrase, Syllable, Utterance, Word
+from ...core.speech.utterance import (
+    Accent,
+    Boundary,
+    NamedTime,
+    Pause,
+    Phone,
+    Phrase,
+    Syllable,
+    Utterance,
+    Word,
+)
 from ...errors import warn
 from ...reading.hints import Range
 from ...reading.schema import MisfitError
 from ..layout import to_record
 
-_PARTS = ("phones", "words", "syllables", "pauses", "accents", "boundaries", "phrases")
+_PARTS = ("phones", "words", "syllables", "pauses", "accents", "boundaries", "phrases", "marks")
+# Parts that are written only if there are any.
+_RARE = ("marks",)
 _SAMPLE_RATE = 22_050
 
 
@@ -33,6 +45,7 @@ class SpeechDocument:
     accents: tuple[Accent, ...] = ()
     boundaries: tuple[Boundary, ...] = ()
     phrases: tuple[Phrase, ...] = ()
+    marks: tuple[NamedTime, ...] = ()
     text: str = ""
     audio: str | None = None
     sample_rate: Annotated[int, Range(1, 768_000)] = _SAMPLE_RATE
@@ -140,5 +153,7 @@ def speech_to_json(utterance: Utterance, voice: Path | None, folder: Path) -> di
     elif voice is not None:
         record["audio"] = Path(os.path.relpath(os.path.realpath(voice), os.path.realpath(folder))).as_posix()
     for name in _PARTS:
-        record[name] = [to_record(item) for item in getattr(utterance, name)]
+        items = getattr(utterance, name)
+        if items or name not in _RARE:
+            record[name] = [to_record(item) for item in items]
     return record

@@ -81,7 +81,11 @@ def _script_word(spoken: Utterance, word: Word) -> ScriptWord:
     phones = spoken.phones[word.first_phone : word.last_phone]
     sounding = [phone for phone in phones if phone.symbol]
     stresses = tuple(phone.stress for phone in sounding if phone.stress >= 0)
-    readings = written_readings(word.text) or (tuple(phone.symbol for phone in sounding),)
+    said = tuple(phone.symbol for phone in sounding)
+    readings = written_readings(word.text) or (said,)
+    if any(char.isdigit() for char in word.text):
+        # What stands around it may decide how a number is said: "March 3".
+        readings = tuple(dict.fromkeys((said, *readings)))
     return ScriptWord(word, readings, stresses)
 
 

@@ -5,7 +5,7 @@ once.
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Sequence, Set
 from contextlib import ExitStack
 from itertools import chain
 from typing import NamedTuple
@@ -15,7 +15,8 @@ import numpy as np
 from ...core.directions import Directions
 from ...core.speech.audio import Audio, AudioWriter, Samples
 from ...core.speech.utterance import SILENCE, Phone, Word
-from ...errors import InputError
+from ...errors import InputError, SpeechWarning, warn
+from ...languages.abbreviations import Replacement
 from ..engines.protocol import Rendition
 from ..structure.lines import TextLine
 from ..structure.pauses import punctuation_kind
@@ -31,6 +32,10 @@ LINE_PAUSE = 0.3
 """Seconds between two lines if the second has no time of its own."""
 
 
+# Words that a warning names.
+_NAMED = 5
+
+
 class SpokenPart(NamedTuple):
     """A stretch of the text, its text for the engine, and the engine's rendition of it."""
 
@@ -42,8 +47,10 @@ class SpokenPart(NamedTuple):
 class PreparedLine(NamedTuple):
     """A line that is to be spoken: `offset` is its first character in the whole text.
 
-    `tokens` and `directions` count the characters of the line. `time`: where its sound starts; if it is None,
-    `gap` after the line before. `lead` and `tail`: the silence around it. All in seconds.
+    `tokens` and `directions` count the characters of the line. `dictated`: what is said in place of what is
+    written; `shape`: the text with letters there, in which sentences are found. `time`: where its sound
+    starts; if it is None, `gap` after the line before. `lead` and `tail`: the silence around it. All in
+    seconds.
     """
 
     text: str
@@ -54,6 +61,8 @@ class PreparedLine(NamedTuple):
     gap: float = LINE_PAUSE
     lead: float = 0.0
     tail: float = 0.0
+    shape: str = ""
+    dictated: Sequence[Replacement] = ()
 
 
 class SpokenText(NamedTuple):
@@ -134,8 +143,10 @@ def _spoken(
     write = sound.append if timed else writer.append
     segments, at = _silence(start, line.lead, rate)
     write(np.zeros(at - start, np.int16))
+    given: list[NormalisedText] = []
     for part in parts:
         segments += place(part, line.tokens, at, transcribe)
+        given.append(part.spoken)
         write(part.rendition.samples)
         at += len(part.rendition.samples)
     tail, end = _silence(at, line.tail, rate)
@@ -145,6 +156,7 @@ def _spoken(
     segments = settle(segments, rate)
     if all(segment.token == NO_TOKEN for segment in segments):
         raise InputError("nothing in the text can be spoken by this voice; expected words of its language")
+    _tell_of_unread(line.tokens, {segment.token for segment in segments}, given, transcribe)
     if timed:
         samples, segments = _at_times(np.concatenate(sound), segments, line, rate)
         writer.append(samples)
@@ -160,6 +172,28 @@ def _at_times(
     if has_times(line.directions):
         samples, segments = at_sync_times(samples, segments, line.tokens, line.directions, rate)
     return samples, segments
+
+
+def _tell_of_unread(
+    tokens: Sequence[Token], voiced: Set[int], given: Sequence[NormalisedText], transcribe: Transcriber
+) -> None:
+    """Warn of words that the engine was given, and gave no sound."""
+    silent = [token for index, token in enumerate(tokens) if index not in voiced]
+    if not silent:
+        return
+    letters = sorted({at for part in given for char, at in zip(*part, strict=True) if char.isalnum()})
+    silent = [token for token in silent if _within(letters, token)]
+    # Words that the engine says as one belong to the first of them: they have sounds by themselves.
+    alone = transcribe([token.text for token in silent]) if silent else ()
+    unread = [token.text for token, phones in zip(silent, alone, strict=True) if not phones]
+    if unread:
+        more = f" and {len(unread) - _NAMED} more" if len(unread) > _NAMED else ""
+        names = ", ".join(f"'{word}'" for word in unread[:_NAMED])
+        warn(f"this voice cannot read {names}{more}; expected words of its language", SpeechWarning)
+
+
+def _within(places: Sequence[int], token: Token) -> bool:
+    return bisect_left(places, token.start) < bisect_left(places, token.end)
 
 
 def _silence(start: int, seconds: float, sample_rate: int) -> tuple[list[Segment], int]:

@@ -1,4 +1,4 @@
-"""From phones and words to an utterance: its syllables, pauses, phrases and accents, in this order."""
+"""From phones and words to an utterance: its syllables, pauses, phrases, accents and marks, in this order."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from ...core.speech.utterance import Phone, Utterance, Word
 from ...languages import language_of
 from .accents import intone
 from .lines import TextLine
+from .marks import with_marks
 from .pauses import Breaks, find_pauses
 from .syllables import syllabify
 
@@ -29,4 +30,5 @@ def build_utterance(
     language = language_of(code)
     syllables = syllabify(phones, words, language)
     pauses = find_pauses(text, phones, words, language, lines)
-    return intone(Utterance(text, code, audio, phones, words, syllables, pauses), lines, breaks)
+    utterance = intone(Utterance(text, code, audio, phones, words, syllables, pauses), lines, breaks)
+    return with_marks(utterance, lines)

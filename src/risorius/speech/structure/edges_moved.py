@@ -111,4 +111,5 @@ def _mapped(utterance: Utterance, before: Array, after: Array) -> Utterance:
         accents=tuple(map(at, utterance.accents)),
         boundaries=tuple(map(at, utterance.boundaries)),
         phrases=tuple(map(at, utterance.phrases)),
+        marks=tuple(map(at, utterance.marks)),
     )

@@ -16,7 +16,7 @@ _KINDS = (
     (re.compile(r"[?\uff1f\u061f]"), PauseKind.QUESTION),
     (re.compile(r"[!\uff01]"), PauseKind.EXCLAMATION),
     (re.compile(r"\u2026|\.\.+"), PauseKind.HESITATION),
-    (re.compile(r"[.\u3002\uff0e\u0964\u0965\u06d4]|\n\s*\n"), PauseKind.FULL_STOP),
+    (re.compile(r"[.\u3002\uff0e\u0964\u0965\u06d4]|\u2029|\n\s*\n"), PauseKind.FULL_STOP),
 )
 _CLAUSE = re.compile(r"[,;:()\u2013\u2014\u060c\u3001\uff0c\uff1b\uff1a]|--|\s-\s|\n")
 

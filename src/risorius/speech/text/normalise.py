@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import unicodedata
 from bisect import bisect_left
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 from ...core.directions import Break, DirectedSpan, Directions
 from ...languages import Language
-from ...languages.abbreviations import written_out
+from ...languages.abbreviations import Replacement, written_out
 from ...languages.language import APOSTROPHES
 from .tokens import BREAKS
 
@@ -34,8 +34,13 @@ class NormalisedText(NamedTuple):
     origin: tuple[int, ...]
 
 
-def normalise(text: str, start: int, end: int, language: Language) -> NormalisedText:
-    """Return the spoken form of characters [start, end) of `text`, without line breaks."""
+def normalise(
+    text: str, start: int, end: int, language: Language, dictated: Sequence[Replacement] = ()
+) -> NormalisedText:
+    """Return the spoken form of characters [start, end) of `text`, without line breaks.
+
+    `dictated`: stretches whose words are given, in order.
+    """
     chars: list[str] = []
     origin: list[int] = []
 
@@ -44,13 +49,28 @@ def normalise(text: str, start: int, end: int, language: Language) -> Normalised
         origin.extend([source] * len(piece))
 
     at = start
-    for piece in written_out(text, start, end, language.abbreviations, language.function_words):
+    for piece in replacements(text, start, end, language, dictated):
         _clean(text, at, piece.start, put)
         for read, source in piece.read:
             put(read, source)
         at = piece.end
     _clean(text, at, end, put)
     return NormalisedText("".join(chars), tuple(origin))
+
+
+def replacements(
+    text: str, start: int, end: int, language: Language, dictated: Sequence[Replacement] = ()
+) -> Iterator[Replacement]:
+    """Yield what of characters [start, end) of `text` is read otherwise than it is written, in order."""
+    at = start
+    for given in (*dictated, Replacement(end, end, ())):
+        if given.start >= start and given.end <= end:
+            yield from written_out(
+                text, at, given.start, language.abbreviations, language.function_words, stop=end
+            )
+            at = given.end
+            if given.start < given.end:
+                yield given
 
 
 def placed(
@@ -62,7 +82,10 @@ def placed(
     """
     for direction in directions.between(start, end, last=last):
         if isinstance(direction, Break):
-            yield replace(direction, at=bisect_left(spoken.origin, direction.at))
+            if direction.seconds > 0.0:
+                yield replace(direction, at=bisect_left(spoken.origin, direction.at))
+            continue
+        if direction.spoken is not None:
             continue
         first, stop = (bisect_left(spoken.origin, at) for at in (direction.start, direction.end))
         if first < stop:

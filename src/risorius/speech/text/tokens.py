@@ -14,6 +14,7 @@ from collections.abc import Sequence, Set
 from itertools import takewhile
 from typing import NamedTuple
 
+from ...core.speech.characters import stands_alone
 from ...languages.language import APOSTROPHES
 
 HYPHENS = "-\u2010\u2011"
@@ -62,7 +63,7 @@ def with_words(tokens: Sequence[Token], words: Set[str]) -> tuple[Token, ...]:
 
 
 def _stands_by_itself(token: Token) -> bool:
-    return len(token.text) == 1 and _stands_alone(token.text)
+    return len(token.text) == 1 and stands_alone(token.text)
 
 
 def _is_word(tokens: Sequence[Token], words: Set[str]) -> bool:
@@ -81,7 +82,7 @@ def _character_class(char: str) -> str:
     """
     if char in _CLASSES:
         return _CLASSES[char]
-    if _stands_alone(char):
+    if stands_alone(char):
         return "c"
     if char.isdecimal():
         return "d"
@@ -91,12 +92,3 @@ def _character_class(char: str) -> str:
     if char.isalnum():
         return "w"
     return "$" if category == "Sc" else " "
-
-
-def _stands_alone(char: str) -> bool:
-    return (
-        ("\u3040" <= char <= "\u30ff" and char != "\u30fb")
-        or "\u3400" <= char <= "\u4dbf"
-        or "\u4e00" <= char <= "\u9fff"
-        or "\U00020000" <= char <= "\U0003134f"
-    )  # fmt: skip

@@ -15,6 +15,8 @@ from ...ports.import_result import ScoreFile
 from ...rules.emotions import Display, Displays
 from ...rules.rule_set import emotions_of
 from ...script import Script, parse_script
+from ...script.plain import USUAL_FORM, TextForm
+from ...script.read import TEXT_READERS
 from ...settings import Settings
 from ...settings.declare import Stage
 from ...speech import LabelledRecording, Recording, align_recording
@@ -98,14 +100,14 @@ class Performer:
         """Return a source's script, its utterance, and the places of the spans in it."""
         source, edges = replace(source, edges=()), source.edges
         if source.recording is not None or source.format == "TextGrid":
-            language = settings.language
-            recording = self._recording(source, language)
-            script, found = self._heard.get((source, language), lambda: align_recording(recording, progress))
+            key = source, settings.language, settings.format, settings.keep_tags
+            recording = self._recording(source, settings)
+            script, found = self._heard.get(key, lambda: align_recording(recording, progress))
             if isinstance(recording, Recording) and recording.script is not None:
                 script = recording.script  # its marks show emotions as they are in force now
-            heard = self._with_edges((source, language), found, edges)
+            heard = self._with_edges(key, found, edges)
             return script, heard, _placed(spans, heard)
-        script = parse_script(source.script, _SUFFIX[source.format], "script")
+        script = _script(source, settings)
 
         def spoken(displays: Displays) -> Utterance | None:
             colours = displays if settings.voice_emotion else ()
@@ -127,18 +129,29 @@ class Performer:
             return said
         return self._moved.get((key, edges), lambda: with_edges(said, edges))
 
-    def _recording(self, source: Source, language: str | None) -> Recording | LabelledRecording:
+    def _recording(self, source: Source, settings: Settings) -> Recording | LabelledRecording:
         audio = None if source.recording is None else self._files.recording(source.recording)
         if audio is not None and source.format != "TextGrid":
             written = source.script.strip() != ""
-            script = parse_script(source.script, _SUFFIX[source.format], "script") if written else None
-            return Recording(audio, script=script, language=language if script else None)
+            script = _script(source, settings) if written else None
+            return Recording(audio, script=script, language=settings.language if script else None)
         labels = self._files.folder / "labels.TextGrid"
         labels.write_text(source.script, encoding="utf-8")
         return LabelledRecording(str(labels), audio)
 
 
 _SUFFIX = {name: f".{name}" for name in ("xml", "utt", "ssml", "bml")} | {"text": ".txt"}
+
+
+def _script(source: Source, settings: Settings) -> Script:
+    """Return a source's script; the form of a text is not read for other formats."""
+    suffix = _SUFFIX[source.format]
+    form = (
+        TextForm(settings.format, settings.keep_tags, heard=source.recording is not None)
+        if suffix in TEXT_READERS
+        else USUAL_FORM
+    )
+    return parse_script(source.script, suffix, "script", form)
 
 
 def _placed(spans: Sequence[EmotionSpan], utterance: Utterance | None) -> Displays:

@@ -19,7 +19,7 @@ from ...errors import InputError, RisoriusError, unknown
 from ...machine.atomic import replacing
 from ...reading.json_text import load_json
 from ...rules.emotions import emotion, emotion_key, emotion_names, emotion_text
-from ...script.read import RECORDING_SUFFIXES
+from ...script.suffixes import RECORDING_SUFFIXES
 from ...speech.recordings.recording import read_recording
 from ..uploads import BEGINNING
 

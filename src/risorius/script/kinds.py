@@ -1,0 +1,65 @@
+"""Kinds of files that are taken for others: what a file looks like, and how it is read."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from .subtitles import looks_like_subtitles
+
+_SUBTITLES = "expected them after --transcript, with their recording after --audio"
+_PLAIN = "expected its text in a .txt file"
+_PLAY = "expected risorius play"
+_CHARACTER = "is a character; expected it after risorius rig"
+_XML = r"(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*"
+# By suffix: what it is, and what reads it.
+SUFFIXES: Mapping[str, str] = {
+    **dict.fromkeys((".srt", ".vtt"), f"holds subtitles; {_SUBTITLES}"),
+    **dict.fromkeys((".docx", ".doc", ".odt", ".rtf", ".pdf", ".epub"), f"is a document; {_PLAIN}"),
+    **dict.fromkeys((".htm", ".html"), f"is a page; {_PLAIN}"),
+    **dict.fromkeys((".csv", ".fap"), f"is a table: {_PLAY} for a captured face, risorius batch for lines"),
+    **dict.fromkeys((".glb", ".gltf", ".vrm"), _CHARACTER),
+    ".toml": "is a table; expected it after --rules or --config",
+    ".fountain": "is a screenplay; expected the lines of one person in a .txt file",
+    ".eaf": "is an ELAN file; expected a TextGrid exported from it",
+}  # fmt: skip
+# By the first bytes: documents that are archives or begin with a mark of their own.
+_MAGIC: tuple[tuple[bytes, str], ...] = (
+    (b"PK\x03\x04", f"is a document or an archive; {_PLAIN}"),
+    (b"%PDF", f"is a PDF; {_PLAIN}"),
+    (b"{\\rtf", f"is an RTF document; {_PLAIN}"),
+    (b"\xd0\xcf\x11\xe0", f"is a Word document; {_PLAIN}"),
+    (b"RIFF", "is a recording; expected it after --audio"),
+    (b"fLaC", "is a recording; expected it after --audio"),
+    (b"OggS", "is a recording; expected it after --audio"),
+    (b"ID3", "is a recording; expected it after --audio"),
+    (b"glTF", _CHARACTER),
+)
+_CONTENT: tuple[tuple[re.Pattern[str], str], ...] = (
+    (re.compile(rf"{_XML}<(?:\w+:)?speak[\s>]", re.DOTALL), "looks like SSML; expected a .ssml file"),
+    (re.compile(rf"{_XML}<bml[\s>]", re.DOTALL), "looks like BML; expected a .bml file"),
+    (
+        re.compile(rf"{_XML}<(?:PHONEME|EMOTIONDISPLAY)[\s>]", re.DOTALL),
+        "looks like markup; expected a .xml file",
+    ),
+    (re.compile(r"File type = \"ooTextFile"), "looks like a TextGrid; expected a .TextGrid file"),
+    (re.compile(r"\{\s*\"risorius\"\s*:"), "looks like a score; expected a .score.json file"),
+    (re.compile(r"(?:<!DOCTYPE html|<html)[\s>]", re.IGNORECASE), f"looks like a page; {_PLAIN}"),
+)
+
+
+def misplaced(text: str, suffix: str = "") -> str | None:
+    """Return what a text is if it is not plain text, and how it is read; None if it may be plain.
+
+    `suffix`: that of its file, whose own kind is not named.
+    """
+    if looks_like_subtitles(text):
+        return f"looks like subtitles; {_SUBTITLES}, in a .srt or .vtt file"
+    start = text.lstrip()[:2000]
+    found = (advice for pattern, advice in _CONTENT if pattern.match(start))
+    return next((advice for advice in found if not suffix or f"expected a {suffix} file" not in advice), None)
+
+
+def kind_of_bytes(data: bytes) -> str | None:
+    """Return what a file is by its first bytes, and how it is read; None if that is not known."""
+    return next((advice for magic, advice in _MAGIC if data.startswith(magic)), None)
