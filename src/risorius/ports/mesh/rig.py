@@ -23,6 +23,7 @@ from ...machine.blas import one_thread
 from ...reading.source_text import SourceText
 from ...reading.toml import parse, read_text
 from .glb_file import GlbFile, read_glb
+from .gltf import held
 
 WELL, PARTLY = 0.25, 0.6  # shares of a movement left over up to which it is shown well, and partly
 _LIKE = 0.88  # how alike names must be for a guess
@@ -157,9 +158,10 @@ def report(rig: Rig, head: Head) -> list[MuscleCoverage]:
 def animated(rig: Rig, track: ArkitTrack, times: Array) -> GlbFile:
     """Return the character's file with one animation more: the track's weights on its morph targets.
 
-    Raises InputError as `check_performable`.
+    `times` (keys,): keys after the last frame hold its weights. Raises InputError as `check_performable`.
     """
     check_performable(rig)
+    weights = held(track.weights, len(times))
     document, binary = rig.file.extended(), bytearray(rig.file.binary)
 
     def accessor(values: Float32Array) -> int:
@@ -176,7 +178,7 @@ def animated(rig: Rig, track: ArkitTrack, times: Array) -> GlbFile:
     clock = accessor(times.astype(np.float32))
     samplers, channels = [], []
     for mesh, names in rig.targets.items():
-        columns = [track.weights[:, INDEX[shape_of[n]]] if n in shape_of else 0.0 * times for n in names]
+        columns = [weights[:, INDEX[shape_of[n]]] if n in shape_of else 0.0 * times for n in names]
         output = accessor(np.ascontiguousarray(np.stack(columns, axis=1), np.float32).ravel())
         for node in rig.file.nodes_of(mesh):
             samplers.append({"input": clock, "output": output, "interpolation": "LINEAR"})
