@@ -132,7 +132,8 @@ class Take:
         chosen = self.settings
         transparent = chosen.look.transparent
         draft = chosen.look.quality == "draft"
-        options = WriteOptions(chosen.size, chosen.at, chosen.every, transparent, draft, progress=progress)
+        pictured = chosen.size, chosen.at, chosen.every
+        options = WriteOptions(*pictured, chosen.names, transparent, draft, progress=progress)
         write_targets(self, check_targets(paths), options)
 
     def faces(
@@ -287,6 +288,15 @@ class Take:
         from .face.fit.arkit_fit import ArkitFit
 
         return ArkitFit.of(self.head).track(self.faces(reuse=True))
+
+    def emotion_curves(self) -> Array:
+        """Return the muscles of every frame (frames, 46) as emotions alone would move them.
+
+        A performance whose score has no movements of emotions, such as a captured one, has none.
+        """
+        from .blend import emotion_curves
+
+        return emotion_curves(self.score, self.times)
 
     def fit_arkit(self, progress: Progress = quiet) -> ArkitTrack:
         """Return `arkit`; when it is fitted for the first time, report the remaining distances."""

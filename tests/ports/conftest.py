@@ -65,6 +65,9 @@ class SmallTake:
     def measures(self, frame: Any) -> Array:
         return np.full(self.measure_count, float(frame))
 
+    def emotion_curves(self) -> Array:
+        return np.tile(NEUTRAL, (len(self.performance.values), 1))
+
     def fit_arkit(self, progress: Progress = quiet) -> ArkitTrack:
         raise AssertionError("a small take has no head")
 

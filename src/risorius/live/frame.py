@@ -17,6 +17,7 @@ class LiveFrame:
     `speaking`: whether something is played, its pauses included.
     If they were asked for, `arkit`: weights (52,) 0..1 in the order of `core.arkit.SHAPES`; and `rotations`:
     yaw, pitch and roll of head, left and right eye (9,) in radians, to the subject's left, up, tilted left.
+    `emotion`: the weights (4,) 0..1 of VRM's presets that emotions alone move.
     """
 
     index: int
@@ -28,6 +29,7 @@ class LiveFrame:
     speaking: bool = False
     arkit: Array | None = None
     rotations: Array | None = None
+    emotion: Array | None = None
 
     def __repr__(self) -> str:
         """Return one line: its number, its time and its sentence."""

@@ -56,6 +56,7 @@ def test_files_hold_the_last_pose_until_the_sound_ends(tmp_path: Path) -> None:
     for name, node, path in (
         ("x.glb", "head", "rotation"),
         ("x.rig.glb", "skin", "weights"),
+        ("x.vrma", "blinkLeft", "translation"),
     ):
         take.write(tmp_path / name)
         document = Document(tmp_path / name)
