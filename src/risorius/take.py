@@ -30,7 +30,7 @@ from .solvers import SolverCache
 if TYPE_CHECKING:
     from .blend import Explanation, Plan, Tally, Trace
     from .core.look import Size
-    from .face.fit.arkit_fit import ArkitTrack
+    from .face.fit.arkit_track import ArkitTrack
     from .face.fit.measure import Gauge
     from .face.frame import FaceFrame
     from .face.head.head import Head
@@ -287,7 +287,8 @@ class Take:
         """
         from .face.fit.arkit_fit import ArkitFit
 
-        return ArkitFit.of(self.head).track(self.faces(reuse=True))
+        track = ArkitFit.of(self.head).track(self.faces(reuse=True))
+        return replace(track, times=self.times)
 
     def emotion_curves(self) -> Array:
         """Return the muscles of every frame (frames, 46) as emotions alone would move them.

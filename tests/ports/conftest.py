@@ -21,7 +21,7 @@ from risorius.ports.curves.landmarks_csv import COLUMNS
 from risorius.ports.export_source import WritableTake
 
 if TYPE_CHECKING:
-    from risorius.face.fit.arkit_fit import ArkitTrack
+    from risorius.face.fit.arkit_track import ArkitTrack
     from risorius.face.head.head import Head
 
 TakeMaker = Callable[..., WritableTake]

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ..core.performance import Performance
     from ..core.speech.audio import Audio
     from ..core.speech.utterance import Utterance
-    from ..face.fit.arkit_fit import ArkitTrack
+    from ..face.fit.arkit_track import ArkitTrack
     from ..face.frame import FaceFrame
     from ..face.head.head import Head
 

@@ -11,7 +11,7 @@ import pytest
 
 from risorius.core.arkit import INDEX, SHAPES
 from risorius.errors import InputError
-from risorius.face.fit.arkit_fit import ArkitTrack
+from risorius.face.fit.arkit_track import ArkitTrack
 from risorius.face.fit.expressions import emotion_presets, expressions, preset_weights
 from risorius.live.stream import PROTOCOLS, ArkitMoment, Options
 from risorius.live.stream.osc import bundles, message

@@ -13,7 +13,8 @@ from ...core.arrays import Array, Float32Array
 from ...core.parameters import INDEX as PARAMETER
 from ...core.parameters import NEUTRAL
 from ...errors import InputError, Place, unknown
-from ...face.fit.arkit_fit import ArkitFit, ArkitTrack
+from ...face.fit.arkit_fit import ArkitFit
+from ...face.fit.arkit_track import ArkitTrack
 from ...face.fit.muscle_fit import FITTED
 from ...face.head.head import Head
 from ...face.solve import FaceSolver
