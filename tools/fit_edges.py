@@ -28,6 +28,7 @@ from risorius.speech.alignment.aligner import decoded
 from risorius.speech.alignment.edges import CLASSES, FEATURES, FILE, REACH, candidate_features, model_of
 from risorius.speech.alignment.lexicon import read_transcript
 from risorius.speech.alignment.spectra import STEP_SECONDS, band_levels
+from risorius.speech.alignment.speech_activity import Condensed
 from risorius.speech.recordings.recording import read_recording
 from risorius.speech.resampled import Resampled
 
@@ -67,7 +68,9 @@ def collect(spoken: list[Sentence]) -> tuple[Edges, list[Array]]:
     for number, sentence in enumerate(spoken):
         resampled = Resampled(read_recording(sentence.sound))
         _, words = read_transcript(sentence.text)
-        (found,) = decoded(resampled, [word.readings for word in words])
+        seconds = resampled.audio.duration
+        whole = Condensed(resampled.audio, ((0.0, seconds),), seconds)
+        found = decoded(whole, [word.readings for word in words]).rough
         levels.append(band_levels(resampled.read(0.0, resampled.audio.duration)))
         ours = [Label(f.symbol, f.start, f.end) for f in found]
         for i, j in matched(ours, sentence.labels):

@@ -11,7 +11,7 @@ from urllib.parse import quote
 
 from ..errors import Place
 from ..machine.atomic import replacing
-from ..speech.alignment.confidence import OWN
+from ..speech.alignment.confidence import DOUBT
 from .outcome import LineResult, LineState, Outcome
 from .places import is_remote
 from .report_page import PageLine, Totals, page
@@ -53,7 +53,7 @@ class Report(Scratch):
     def _lists(self) -> tuple[list[PageLine], list[PageLine], list[PageLine], list[PageLine]]:
         """Return the lists of the page: failed, in doubt, of an odd pace, and all others."""
         failed = "state = 'failed'"
-        doubtful = f"NOT {failed} AND doubt >= {-OWN.doubt}"
+        doubtful = f"NOT {failed} AND doubt >= {DOUBT}"
         odd_pace = f"NOT ({doubtful}) AND pace > 0 AND (pace < {SLOW} OR pace > {FAST})"
         rest = f"NOT {failed} AND NOT ({doubtful}) AND NOT ({odd_pace})"
         return (

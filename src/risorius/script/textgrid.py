@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from ..core.units import MAX_SECONDS
@@ -63,6 +63,25 @@ def read_textgrid(path: str) -> TextGrid:
     if not names_something(path):
         raise InputError("there is no such file; expected a TextGrid", place)
     return parse_textgrid(decode(read_bytes(path, MAX_BYTES, place), place.file), place.file)
+
+
+def moved(grid: TextGrid, seconds: float) -> TextGrid:
+    """Return a grid all of whose times are later by `seconds`."""
+    return replace(
+        grid,
+        start=grid.start + seconds,
+        end=grid.end + seconds,
+        tiers=tuple(
+            replace(
+                tier,
+                labels=tuple(
+                    label._replace(start=label.start + seconds, end=label.end + seconds)
+                    for label in tier.labels
+                ),
+            )
+            for tier in grid.tiers
+        ),
+    )
 
 
 def parse_textgrid(text: str, source: str = "text") -> TextGrid:

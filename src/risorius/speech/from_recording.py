@@ -7,6 +7,7 @@ from os import PathLike
 
 from ..core.directions import Directions
 from ..core.progress import Progress, quiet
+from ..core.speech.audio import Audio
 from ..core.speech.utterance import Utterance
 from ..errors import InputError, Place, SpeechWarning, warn
 from ..script import Script, SpokenLine
@@ -18,8 +19,14 @@ from .alignment.timed_words import TimedWord, locate_in_words, written
 from .assembly.retime import is_timed
 from .prosody import measured
 from .recordings.dictated import utterance_dictated
-from .recordings.labelled import PHONE_TIERS, WORD_TIERS, found_tier, utterance_of_labels
-from .recordings.phone_labels import is_silence
+from .recordings.labelled import (
+    PHONE_TIERS,
+    WORD_TIERS,
+    found_tier,
+    from_start,
+    said_words,
+    utterance_of_labels,
+)
 from .recordings.recognition import recognize
 from .recordings.recording import read_recording
 from .recordings.tone_labels import tells_accents, tells_boundaries
@@ -113,22 +120,21 @@ def hear_words(
 
 def _labelled(recording: LabelledRecording, progress: Progress) -> Utterance:
     labels, audio = read_textgrid(recording.labels), recording.audio
-    words = found_tier(labels, WORD_TIERS)
     if audio is None:
         return utterance_of_labels(labels)
+    sound = read_recording(audio)
+    labels = from_start(labels, sound.duration)
+    words = found_tier(labels, WORD_TIERS)
     if words is not None and found_tier(labels, PHONE_TIERS) is None:
-        timed_words = [TimedWord(w.text, w.start, w.end) for w in words.labels if not is_silence(w.text)]
-        return _hear_timed(audio, timed_words, labels.source, progress)
-    utterance = utterance_of_labels(labels, read_recording(audio))
+        timed_words = [TimedWord(w.text, w.start, w.end) for w in said_words(words, labels.source)]
+        return _hear_timed(sound, timed_words, labels.source, progress)
+    utterance = utterance_of_labels(labels, sound)
     progress("Listening …")
     return measured(utterance, accents=not tells_accents(labels), boundaries=not tells_boundaries(labels))
 
 
-def _hear_timed(
-    audio: str | PathLike[str], words: list[TimedWord], source: str, progress: Progress
-) -> Utterance:
+def _hear_timed(sound: Audio, words: list[TimedWord], source: str, progress: Progress) -> Utterance:
     """Return the utterance of a recording whose words have labels: these are kept."""
-    sound = read_recording(audio)
     progress("Aligning …")
     try:
         found = locate_in_words(sound, words)

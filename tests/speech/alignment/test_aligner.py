@@ -51,10 +51,10 @@ def test_a_transcript_without_words_is_refused(text: str, spoken: Utterance) -> 
         align(spoken.audio, text)
 
 
-@pytest.mark.parametrize(("doubtful", "refused"), [(1, False), (2, False), (3, True), (9, True)])
+@pytest.mark.parametrize(("doubtful", "refused"), [(1, False), (2, False), (4, True), (9, True)])
 def test_one_word_in_doubt_of_a_poor_voice_is_no_refusal(doubtful: int, refused: bool) -> None:
     _, words = read_transcript("your letter went away on Monday night number nine")
-    scores = [-60.0] * doubtful + [-40.0] * (9 - doubtful)
+    scores = [-80.0] * doubtful + [-30.0] * (9 - doubtful)
     aligned = [AlignedPhone("AH", 0.3 * k, 0.3 * (k + 1), k, score) for k, score in enumerate(scores)]
     if refused:
         with pytest.raises(InputError, match="does not fit the recording"):

@@ -27,8 +27,9 @@ def film(
     pictures: bool = False,
     sound: bool = True,
     seconds: float = SECONDS,
+    right: int = 0,
 ) -> Path:
-    """Write a film with a tone of 220 Hz on the left channel."""
+    """Write a film with a tone of 220 Hz on the left channel, and `right` times it on the other."""
     with av.open(str(path), "w") as container:
         video = container.add_stream("mpeg4", rate=10) if pictures else None
         stream = container.add_stream(codec, rate=rate, layout="stereo") if sound else None
@@ -42,7 +43,7 @@ def film(
             times = np.arange(round(seconds * rate)) / rate
             left = (9_000 * np.sin(2 * np.pi * 220 * times)).astype(np.int16)
             frame = av.AudioFrame.from_ndarray(
-                np.stack([left, 0 * left], 1).reshape(1, -1), format="s16", layout="stereo"
+                np.stack([left, right * left], 1).reshape(1, -1), format="s16", layout="stereo"
             )
             frame.sample_rate, frame.time_base, frame.pts = rate, Fraction(1, rate), 0
             container.mux(stream.encode(frame))
@@ -72,6 +73,12 @@ def test_the_sound_of_a_film_is_that_of_its_channels_on_average(name: str, tmp_p
     assert audio.duration == pytest.approx(SECONDS, abs=0.06)
     middle = audio.read(audio.frames // 4, audio.frames // 2)
     assert np.abs(middle.astype(float)).max() == pytest.approx(4_500, rel=0.06)
+
+
+def test_channels_of_a_film_that_cancel_each_other_out_are_heard(tmp_path: Path) -> None:
+    audio = read_recording(film(tmp_path / "x.mov", "pcm_s16le", seconds=2.5, right=-1))
+    assert audio.duration == pytest.approx(2.5, abs=0.001)
+    assert np.abs(audio.read().astype(float)).max() == pytest.approx(9_000, rel=0.01)
 
 
 def test_a_film_is_known_by_its_first_bytes() -> None:

@@ -107,3 +107,44 @@ def test_all_forms_give_the_same_sound(name: str, rate: int, written) -> None:
 
 def test_ninety_six_thousand_samples_per_second(written) -> None:
     assert read_recording(written(tone(0.5, 96_000), 96_000)).frames == 48_000
+
+
+@pytest.mark.parametrize("name", ["x.wav", "x.flac"])
+@pytest.mark.parametrize("inverted", [-1.0, -0.8])
+def test_channels_that_cancel_each_other_out_are_heard(name: str, inverted: float, written) -> None:
+    quiet = np.zeros(32_000)
+    samples = np.concatenate([quiet, tone(3.0)])
+    audio = read_recording(written(np.stack([samples, inverted * samples], axis=1), name=name))
+    assert np.abs(audio.read()).max() == pytest.approx(0.3 * 32_767, rel=0.01)
+
+
+@pytest.mark.parametrize("gains", [(1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, -0.3), (0.0, 0.0, 1.0)])
+def test_other_channels_are_averaged(gains: tuple[float, ...], written) -> None:
+    samples = tone(2.0)
+    audio = read_recording(written(np.stack([gain * samples for gain in gains], axis=1)))
+    mean = 0.3 * 32_767 * abs(sum(gains)) / len(gains)
+    assert np.abs(audio.read()).max() == pytest.approx(mean, rel=0.01)
+
+
+def test_two_voices_one_a_channel_are_both_heard(written) -> None:
+    one, two = np.random.default_rng(1).normal(0.0, 0.1, (2, 48_000))
+    audio = read_recording(written(np.stack([one, two], axis=1)))
+    assert np.corrcoef(audio.read(), one + two)[0, 1] > 0.99
+
+
+@pytest.mark.parametrize("subtype", ["PCM_16", "PCM_24", "FLOAT", "PCM_U8"])
+@pytest.mark.parametrize("size", [0, 0xFFFF_FFFF, 0x7FFF_FFFF, 2_000_000_000])
+def test_a_wav_of_unknown_length_goes_to_its_end(size: int, subtype: str, written) -> None:
+    path = written(np.stack([tone(1.0)] * 2, axis=1), subtype=subtype)
+    whole = read_recording(path).read()
+    data = bytearray(path.read_bytes())
+    at = data.index(b"data") + 4
+    data[at : at + 4] = data[4:8] = size.to_bytes(4, "little")
+    path.write_bytes(data)
+    found = read_recording(path).read()
+    assert len(found) >= len(whole)
+    assert (found[: len(whole)] == whole).all()
+
+
+def test_a_wav_without_samples_stays_empty(written) -> None:
+    assert "lasts 0.000 s" in refusal(written(np.zeros(0)))

@@ -26,6 +26,8 @@ from .hiss_ends import hiss_ends
 from .lexicon import ScriptWord, read_transcript, stresses_of
 from .silences import without_gaps
 from .spectra import band_levels
+from .speech_activity import Condensed, condensed
+from .unheard_pauses import with_pauses
 from .voice_ends import shared_sounds, voice_ends
 from .windows import WHOLE, Window, windows
 
@@ -61,19 +63,11 @@ def located(
     audio: Audio, transcript: str, language: str | None = None, progress: Progress = quiet
 ) -> Located:
     """Return where in a recording the phones of its transcript are; raises and warns as `align` does."""
-    resampled = Resampled(audio)
     spoken, words = read_transcript(transcript, language)
-    readings = [word.readings for word in words]
-
-    def work(decoders: Decoders) -> list[tuple[list[AlignedPhone], list[AlignedPhone]]]:
-        # A stretch is refined while the next is decoded.
-        found = _stretches(resampled, readings, decoders, progress)
-        return [(stretch, refined(resampled, stretch)) for stretch in found]
-
-    stretches = with_decoders(work)
-    aligned = [phone for _, stretch in stretches for phone in stretch]
-    check_words(words, [phone for stretch, _ in stretches for phone in stretch])
-    return Located(owned(aligned, words), words, spoken.language)
+    sound = condensed(Resampled(audio))
+    found = decoded(sound, [word.readings for word in words], progress)
+    check_words(words, found.rough, sound.time)
+    return Located(owned(found.phones, words), words, spoken.language)
 
 
 def owned(aligned: Sequence[AlignedPhone], words: Sequence[ScriptWord]) -> list[AlignedPhone]:
@@ -107,14 +101,42 @@ def assembled(
     return build_utterance(text, code, audio, phones, timed)
 
 
-def decoded(
-    resampled: Resampled, words: Sequence[Readings], progress: Progress = quiet
-) -> list[list[AlignedPhone]]:
-    """Return the decoders' phones and silences, stretch by stretch, contiguous over the recording.
+class Decoded(NamedTuple):
+    """Phones and silences: `rough` as the decoder finds them in the condensed sound, with their scores; and
+    `phones` with edges placed by the sound, at their times in the recording. Both are contiguous.
+    """
+
+    rough: Sequence[AlignedPhone]
+    phones: Sequence[AlignedPhone]
+
+
+def decoded(sound: Condensed, words: Sequence[Readings], progress: Progress = quiet) -> Decoded:
+    """Return where a recording's words are.
 
     Raises InputError if the recording has no room for the words, SpeechError if the aligner fails.
     """
-    return with_decoders(lambda decoders: list(_stretches(resampled, words, decoders, progress)))
+    resampled = Resampled(sound.audio)
+
+    def work(decoders: Decoders) -> list[tuple[list[AlignedPhone], list[AlignedPhone]]]:
+        # A stretch is refined while the next is decoded.
+        found = _stretches(resampled, words, decoders, progress)
+        return [(stretch, refined(resampled, stretch)) for stretch in found]
+
+    try:
+        stretches = with_decoders(work)
+    except _NoRoomError as error:
+        span = f"{sound.time(error.start):.2f} to {sound.time(error.end):.2f} s"
+        message = f"the transcript does not fit the recording; {error.count} words do not fit into {span}"
+        raise InputError(message) from None
+    rough = [phone for stretch, _ in stretches for phone in stretch]
+    return Decoded(rough, sound.placed([phone for _, stretch in stretches for phone in stretch]))
+
+
+class _NoRoomError(Exception):
+    """The `count` words of a window do not fit into [start, end) seconds."""
+
+    def __init__(self, window: Window) -> None:
+        self.start, self.end, self.count = window.start, window.end, window.last - window.first
 
 
 def _stretches(
@@ -141,9 +163,7 @@ def _stretch(window: Window, alignment: Future[list[AlignedPhone]] | None) -> li
     try:
         aligned = alignment.result()
     except AlignmentError:
-        span, count = f"{window.start:.2f} to {window.end:.2f} s", window.last - window.first
-        message = f"the transcript does not fit the recording; {count} words do not fit into {span}"
-        raise InputError(message) from None
+        raise _NoRoomError(window) from None
     return without_gaps(moved(aligned, window.start, window.end, window.first))
 
 
@@ -166,9 +186,10 @@ def moved(aligned: Sequence[AlignedPhone], start: float, end: float, first: int)
 
 
 def refined(resampled: Resampled, aligned: Sequence[AlignedPhone]) -> list[AlignedPhone]:
-    """Return one stretch with its inner edges placed by the sound."""
+    """Return one stretch with its inner edges placed by the sound, and with pauses that were not heard."""
     start, end = aligned[0].start, aligned[-1].end
     levels = band_levels(resampled.read(start, end))
+    aligned = with_pauses(levels, aligned, start)
     edges = np.array([phone.start - start for phone in aligned[1:]])
     symbols = [phone.symbol for phone in aligned]
     placed = voice_ends(levels, aligned, place_edges(levels, symbols, edges))

@@ -6,6 +6,8 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
+from math import inf
+from statistics import median
 from typing import NamedTuple
 
 from ...errors import InputError, SpeechWarning, warn
@@ -14,43 +16,51 @@ from .lexicon import ScriptWord
 
 
 class ConfidenceLimits(NamedTuple):
-    """Mean log likelihoods per 10 ms frame, in pocketsphinx's units: below `doubt` a word is doubtful, below
-    `poor` it is poor. If more than WRONG_SHARE of the speech is poor or unmatched, the transcript is
-    rejected as belonging to another recording.
+    """A word is doubtful if it fits worse than the recording's words do by more than `doubt`, or worse than
+    `hopeless`, by what is known of it. If the words' mean is below `wrong`, or more than POOR_SHARE of the
+    speech below `poor`, the transcript is rejected as belonging to another recording; so it is if the mean is
+    below `lonely` and most of the speech has no words. All are log likelihoods per 10 ms frame, in
+    pocketsphinx's units.
     """
 
     doubt: float
+    hopeless: float
     poor: float
+    wrong: float
+    lonely: float
 
 
-# In 80 read sentences one word in a hundred was below -58, two below -40, and no sentence below -24; three in
-# four of the words put in by mistake were below -54, and every sentence with another's transcript was below
-# -49. Real silences were above -20.
-OWN = ConfidenceLimits(-50.0, -38.0)
+# In 192 right transcripts (TIMIT's development sentences, hibari's and espeak-ng's voices), each with 0 and
+# 6 s of silence or noise before it, the words' mean was never below -39, in as many wrong ones never above
+# -47, and 4 said words in 1,000 were in doubt; of words put in by mistake three in four were. Real silences
+# were above -22, speech that the transcript lacks was mostly below -30.
+OWN = ConfidenceLimits(24.0, -52.0, -inf, -46.0, -30.0)
 # Words of other languages, by the nearest phones, fit worse: in 12 sentences of six languages, in three
 # timbres of espeak-ng each, the median of the words was -27 to -46 and the least -105; with another's
 # transcript the median was -56 to -92. Human voices are not measured.
-FOREIGN = ConfidenceLimits(-110.0, -52.0)
-WRONG_SHARE = 0.6
-# In a wrong transcript at least 45 words in 100 were in doubt, in the right one at most 17 (a third of
-# TIMIT's development sentences). A synthetic voice may be poor in most words, and in doubt in one.
-DOUBTFUL_SHARE = 0.25
-# Silence so unlikely, and so long (seconds), is speech that the transcript lacks.
-DOUBTFUL_SILENCE, LEAST_MISSING = -40.0, 0.15
+FOREIGN = ConfidenceLimits(48.0, -110.0, -52.0, -inf, -52.0)
+POOR_SHARE = 0.6
+# A word is compared with the recording's median word, as if three more of USUAL were in it, and less the
+# shorter it is: a few frames tell little. A word of EVEN seconds counts half.
+USUAL, USUAL_WORDS, EVEN = -25.0, 3, 0.15
+# Silence so unlikely, and so long (seconds), is speech that the transcript lacks; a greater share of the
+# speech than the third is most of it.
+DOUBTFUL_SILENCE, LEAST_MISSING, MOST_MISSING = -28.0, 0.15, 0.6
 _SHOWN = 8
 
 
 @dataclass(frozen=True, slots=True)
 class AlignmentConfidence:
-    """The misfit of a transcript to its recording: that of the `worst` word or silence, 0 and more (its mean
-    log likelihood per 10 ms, negated, as of English; 50 and more is in doubt), and the `words` in doubt with
-    their times.
+    """The misfit of a transcript to its recording: that of the `worst` word or silence (0 and more; 50 and
+    more is in doubt), and the `words` in doubt with their times.
     """
 
     worst: float
     words: tuple[str, ...]
 
 
+# From here on `AlignmentConfidence.worst` is in doubt.
+DOUBT = 50.0
 _receiver: ContextVar[Callable[[AlignmentConfidence], None] | None] = ContextVar(
     "receiver of doubt", default=None
 )
@@ -66,35 +76,58 @@ def receive_confidence(receive: Callable[[AlignmentConfidence], None]) -> Iterat
         _receiver.reset(token)
 
 
-def check_words(words: Sequence[ScriptWord], aligned: Sequence[AlignedPhone]) -> None:
-    """Raise InputError if the words as a whole do not fit; warn (SpeechWarning) of those that may not."""
+def check_words(
+    words: Sequence[ScriptWord],
+    aligned: Sequence[AlignedPhone],
+    time: Callable[[float], float] = lambda seconds: seconds,
+) -> None:
+    """Raise InputError if the words as a whole do not fit; warn (SpeechWarning) of those that may not.
+
+    `time` returns what time is told for one of `aligned`.
+    """
     spans = _spans(len(words), aligned)
     limits = FOREIGN if any(word.own for word in words) else OWN
-    doubtful = [index for index, span in enumerate(spans) if mean_score(span) < limits.doubt]
+    misfits = word_misfits(spans, limits)
+    doubtful = [index for index, misfit in enumerate(misfits) if misfit > 1.0]
     missing = [
         f for f in aligned if f.word < 0 and f.score < DOUBTFUL_SILENCE and f.end - f.start >= LEAST_MISSING
     ]
-    named = [f"'{words[i].word.text}' at {spans[i][0].start:.2f} s" for i in doubtful]
+    named = [f"'{words[i].word.text}' at {time(spans[i][0].start):.2f} s" for i in doubtful]
     receive = _receiver.get()
     if receive is not None:
-        scores = [*map(mean_score, spans), *(f.score for f in missing)]
-        worst = min(scores, default=0.0) * OWN.doubt / limits.doubt
-        receive(AlignmentConfidence(max(0.0, -worst), tuple(named)))
+        worst = max(0.0, *misfits, *(f.score / DOUBTFUL_SILENCE for f in missing))
+        receive(AlignmentConfidence(DOUBT * worst, tuple(named)))
     reasons = []
     if doubtful:
         reasons.append(
             f"perhaps not said in the recording ({len(doubtful)} of {len(words)} words): {_listed(named)}"
         )
     if missing:
-        places = _listed([f"{f.start:.2f} to {f.end:.2f} s" for f in missing])
+        places = _listed([f"{time(f.start):.2f} to {time(f.end):.2f} s" for f in missing])
         reasons.append(f"said in the recording, but not in the transcript: {places}")
-    wrong = _seconds(missing) + sum(_seconds(span) for span in spans if mean_score(span) < limits.poor)
-    # A foreign word is hardly ever in doubt by itself: there the poor ones alone tell another's transcript.
-    another = limits is FOREIGN or bool(missing) or len(doubtful) >= DOUBTFUL_SHARE * len(words)
-    if another and wrong > WRONG_SHARE * (_seconds(missing) + sum(map(_seconds, spans))):
+    if _is_anothers(spans, _seconds(missing), limits):
         raise InputError("; ".join(["the transcript does not fit the recording", *reasons]))
     for reason in reasons:
         warn(reason, SpeechWarning)
+
+
+def word_misfits(spans: Sequence[Sequence[AlignedPhone]], limits: ConfidenceLimits = OWN) -> list[float]:
+    """Return how badly each word fits, by what is known of it; above 1 it is in doubt."""
+    scores = [*map(mean_score, spans)]
+    usual = median([*scores, *[USUAL] * USUAL_WORDS])
+    known = [length / (length + EVEN) for length in map(_seconds, spans)]
+    return [
+        max((usual - score) * share / limits.doubt, (score * share + USUAL * (1.0 - share)) / limits.hopeless)
+        for score, share in zip(scores, known, strict=True)
+    ]
+
+
+def _is_anothers(spans: Sequence[Sequence[AlignedPhone]], missing: float, limits: ConfidenceLimits) -> bool:
+    """Tell whether the words are another recording's, in which `missing` seconds of speech are not theirs."""
+    speech = sum(map(_seconds, spans))
+    poor = sum(_seconds(span) for span in spans if mean_score(span) < limits.poor)
+    wrong = limits.lonely if missing > MOST_MISSING * (speech + missing) else limits.wrong
+    return mean_score([f for span in spans for f in span]) < wrong or poor > POOR_SHARE * speech
 
 
 def mean_score(aligned: Sequence[AlignedPhone]) -> float:

@@ -15,9 +15,10 @@ from ...core.speech.utterance import SILENCE
 from ...errors import InputError
 from ...script.quote import quoted
 from ..resampled import Resampled
-from .aligner import Located, decoded, owned, refined, respaced
+from .aligner import Located, decoded, owned, respaced
 from .decoder import AlignedPhone
 from .lexicon import ScriptWord, read_transcript
+from .speech_activity import condensed
 
 # Seconds by which a word may begin before the one before it ends, and end after the sound: times are rounded.
 OVERLAP, BEYOND = 0.05, 0.1
@@ -104,13 +105,12 @@ def _spans(words: Sequence[TimedWord], script: Sequence[ScriptWord], duration: f
 
 def _found(audio: Audio, script: Sequence[ScriptWord]) -> list[list[AlignedPhone]]:
     """Return each word's phones where the aligner finds them; the first reading if it finds nothing."""
-    resampled = Resampled(audio)
     try:
-        stretches = decoded(resampled, [word.readings for word in script])
+        found = decoded(condensed(Resampled(audio)), [word.readings for word in script])
     except InputError:
         return [_evenly(word, number) for number, word in enumerate(script)]
     phones: list[list[AlignedPhone]] = [[] for _ in script]
-    for phone in owned([f for stretch in stretches for f in refined(resampled, stretch)], script):
+    for phone in owned(found.phones, script):
         if phone.word >= 0:
             phones[phone.word].append(phone)
     return phones

@@ -6,12 +6,14 @@ Risorius.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import importlib.util
+from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import IO
+from typing import IO, Any
 
 import av
 import numpy as np
+import numpy.typing as npt
 
 
 class NoSoundError(Exception):
@@ -25,7 +27,7 @@ class UnknownSoundError(Exception):
 def decode(tell: Callable[[int | bytes], object], file: IO[bytes], container: str) -> None:
     """Tell the sample rate of a file's first sound, then its blocks. `container`: `mov`, `matroska` ….
 
-    A block's bytes are samples (32-bit float, little-endian) of which the channels are averaged.
+    A block's bytes are samples (32-bit float, little-endian), channels made one (`mixdown`).
 
     The container is told by the file's first bytes and is not left to the library, some of whose formats open
     other files and addresses.
@@ -37,11 +39,41 @@ def decode(tell: Callable[[int | bytes], object], file: IO[bytes], container: st
         if stream.codec_context is None:
             raise UnknownSoundError("its sound is of an unknown kind")
         tell(stream.rate)
-        resampler = av.AudioResampler(format="fltp", rate=stream.rate)
+        mixdown = _mixdown()
+        for block in _seconds(film, stream):
+            tell(mixdown.mono(block).astype("<f4", copy=False).tobytes())
+
+
+def _seconds(film: Any, stream: Any) -> Iterator[npt.NDArray[np.float32]]:
+    """Yield the sound in blocks (n, channels) of at least a second, but for the last."""
+    resampler = av.AudioResampler(format="fltp", rate=stream.rate)
+    waiting: list[npt.NDArray[np.float32]] = []
+    count = 0
+    try:
         for frame in film.decode(stream):
             for plain in resampler.resample(frame):
-                samples = plain.to_ndarray().mean(axis=0, dtype=np.float32)
-                tell(samples.astype("<f4", copy=False).tobytes())
+                samples = plain.to_ndarray().T
+                if waiting and samples.shape[1] != waiting[0].shape[1]:
+                    yield np.concatenate(waiting)
+                    waiting, count = [], 0
+                waiting.append(samples)
+                count += len(samples)
+            if count >= stream.rate:
+                yield np.concatenate(waiting)
+                waiting, count = [], 0
+    finally:  # what has been decoded before the fault, if there is one
+        if waiting:
+            yield np.concatenate(waiting)
+
+
+def _mixdown() -> Any:
+    """Return how channels are made one: the module beside this one, without all of Risorius."""
+    spec = importlib.util.spec_from_file_location("mixdown", Path(__file__).with_name("mixdown.py"))
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module.Mixdown()
 
 
 def read(tell: Callable[[int | bytes], object], path: str, container: str) -> tuple[str, bool] | None:

@@ -1,7 +1,8 @@
 """Make an Utterance of a TextGrid of words and phones and the recording that it labels.
 
 The labels are taken as they are, because their author or aligner knew the recording better. Tiers are found
-by name, as Praat's users and aligners spell them. Phones are ARPAbet, with stress digits or without, or IPA.
+by name, as Praat's users and aligners spell them. Phones are ARPAbet, with stress digits or without, IPA or
+SAMPA. A grid that begins later than 0 labels a part of a longer recording, whose start is time 0 here.
 """
 
 from __future__ import annotations
@@ -14,13 +15,14 @@ from itertools import pairwise
 from ...core.speech.audio import Audio, silence
 from ...core.speech.utterance import SILENCE, Phone, Utterance, Word
 from ...errors import InputError, Place, SpeechWarning, warn
+from ...languages.labels import is_quiet_phone, is_quiet_word
 from ...script.quote import quoted
-from ...script.textgrid import INTERVALS, Label, TextGrid, Tier
+from ...script.textgrid import INTERVALS, Label, TextGrid, Tier, moved
 from ..alignment.lexicon import stresses_of
 from ..structure.build import build_utterance
 from ..structure.phrases import with_phrases
 from ..synthesis import synthesize_line
-from .phone_labels import UNSTRESSED, PhoneLabel, is_silence, read_phones
+from .phone_labels import UNSTRESSED, PhoneLabel, read_phones, stops_joined
 from .tone_labels import read_tones, tells_accents, tells_boundaries
 
 WORD_TIERS = ("words", "word", "orthography", "ort", "ort-mau", "wrd")
@@ -31,23 +33,27 @@ SHORTEST = 1e-4
 # The language of labels in ARPAbet, and of others.
 _ARPABET_LANGUAGE, _UNDETERMINED = "en-us", "und"
 NO_WORD = -1
+_AROUND_NAMES = " \t\"'\u201c\u201d\u2018\u2019"
 
 
 def utterance_of_labels(grid: TextGrid, audio: Audio | None = None) -> Utterance:
     """Return the utterance of a TextGrid; without a recording it is silent.
 
     Tiers `accents`, `boundaries` and `tones` (points with ToBI's labels) give accents and boundaries. Raises
-    InputError, with the line, for tiers that are missing, overlaps, unknown phones and labels beyond the
-    recording; warns (SpeechWarning) of gaps, which are taken as silence, and of words without phones.
+    InputError, with the line, for tiers that are missing, overlaps and labels beyond the recording; warns
+    (SpeechWarning) of gaps and unknown phones, which are taken as silence, of labels without length, and of
+    words without phones.
     """
+    grid = from_start(grid, None if audio is None else audio.duration)
     phone_tier = found_tier(grid, PHONE_TIERS)
     if phone_tier is None:
         raise InputError(f"has no tier 'phones' of intervals; found {_listed(grid)}", Place(grid.source))
     audio = audio or silence(max(grid.end, SHORTEST))
+    phone_tier = replace(phone_tier, labels=tuple(stops_joined(phone_tier.labels)))
     labels = _continuous(phone_tier, grid.source, audio.duration)
     arpabet, sounds = read_phones(labels, grid.source)
     word_tier = found_tier(grid, WORD_TIERS)
-    words = [w for w in word_tier.labels if not is_silence(w.text)] if word_tier else []
+    words = said_words(word_tier, grid.source) if word_tier else []
     _check_overlaps(words, grid.source)
     phones, timed = _joined(labels, sounds, words, grid.source)
     text = " ".join(word.text for word in timed)
@@ -64,13 +70,29 @@ def utterance_of_labels(grid: TextGrid, audio: Audio | None = None) -> Utterance
     )
 
 
+def from_start(grid: TextGrid, seconds: float | None = None) -> TextGrid:
+    """Return a grid that begins at 0, as its recording of `seconds` does (None: there is none).
+
+    A recording as long as the whole grid from time 0 on keeps the grid's times.
+    """
+    keeps = seconds is not None and seconds > grid.end - grid.start + BEYOND and seconds >= grid.end - BEYOND
+    return grid if grid.start == 0.0 or keeps else moved(grid, -grid.start)
+
+
+def said_words(tier: Tier, source: str) -> list[Label]:
+    """Return the labels of a tier of words that are words, and have a length."""
+    return _lasting([label for label in tier.labels if not is_quiet_word(label.text)], source)
+
+
 def found_tier(grid: TextGrid, names: Sequence[str]) -> Tier | None:
     """Return the tier of intervals with one of these names, alone or after a speaker's ("Anna - words").
 
     Raises InputError if several speakers have one.
     """
     tiers = [
-        t for t in grid.tiers if t.kind == INTERVALS and t.name.split(" - ")[-1].strip().lower() in names
+        t
+        for t in grid.tiers
+        if t.kind == INTERVALS and t.name.split(" - ")[-1].strip(_AROUND_NAMES).lower() in names
     ]
     if len(tiers) > 1 and any(" - " in tier.name for tier in tiers):
         listed = ", ".join(quoted(tier.name) for tier in tiers)
@@ -93,11 +115,34 @@ def _check_overlaps(labels: Sequence[Label], source: str) -> None:
             )
 
 
+def _lasting(labels: Sequence[Label], source: str) -> list[Label]:
+    """Return the labels that have a length; of two that start at the same time the longer.
+
+    Warns (SpeechWarning) of the others unless they are silence.
+    """
+    kept: list[Label] = []
+    for label in sorted(labels, key=lambda label: label.start):
+        fault = "has no length"
+        short = label if label.end - label.start <= SHORTEST else None
+        if short is None and kept and label.start - kept[-1].start <= SHORTEST:
+            short = min(label, kept[-1], key=lambda both: both.end - both.start)
+            fault = (
+                f"starts at {label.start:g} s, as {quoted((kept[-1] if short is label else label).text)} does"
+            )
+            if short is not label:
+                kept[-1] = label
+        elif short is None:
+            kept.append(label)
+        if short is not None and not is_quiet_phone(short.text):
+            warn(f"{Place(source, short.line)}: {quoted(short.text)} {fault}; it is left out", SpeechWarning)
+    return kept
+
+
 def _continuous(tier: Tier, source: str, duration: float) -> list[Label]:
     """Return the labels with silence in the gaps, over [0, duration]."""
-    labels = [label for label in tier.labels if label.end - label.start > SHORTEST]
+    labels = _lasting(tier.labels, source)
     _check_overlaps(labels, source)
-    beyond = next((x for x in labels if x.end > duration + BEYOND and not is_silence(x.text)), None)
+    beyond = next((x for x in labels if x.end > duration + BEYOND and not is_quiet_phone(x.text)), None)
     if beyond is not None:
         message = f"{quoted(beyond.text)} ends at {beyond.end:g} s, but the recording lasts {duration:.3f} s"
         raise InputError(f"{message}; expected the recording that was labelled", Place(source, beyond.line))

@@ -20,7 +20,7 @@ from ...core.speech.utterance import SILENCE, Utterance, Word
 from ...errors import InputError
 from ...languages import phonesets
 from ..alignment.aligner import Located, assembled, moved, refined
-from ..alignment.confidence import OWN, mean_score
+from ..alignment.confidence import mean_score
 from ..alignment.decoder import MIDDLE, MODEL_LANGUAGE, AlignedPhone, AlignmentError, Decoders, with_decoders
 from ..alignment.lexicon import ScriptWord, read_transcript, written_readings
 from ..alignment.silences import without_gaps
@@ -30,6 +30,8 @@ from ..resampled import LEVEL_STEP, RATE, Resampled
 PAUSE_BELOW, SHORTEST_PAUSE = 30.0, 0.3
 EARLIEST, LATEST = 6.0, 20.0
 NO_WORD = -1
+# Recognized words whose mean score is lower are not taken.
+WORST = -38.0
 # How the dictionary marks a word's further readings.
 _ALTERNATIVE = re.compile(r"\(\d+\)$")
 
@@ -93,7 +95,7 @@ def _recognized(sound: Array, decoders: Decoders) -> tuple[list[AlignedPhone], l
     if names:
         with contextlib.suppress(AlignmentError):
             aligned = decoders.align_words(sound, [written_readings(name) for name in names])
-            if mean_score([f for f in aligned if f.word >= 0]) >= OWN.poor:
+            if mean_score([f for f in aligned if f.word >= 0]) >= WORST:
                 return aligned, names
     return _phone_runs(sound, decoders)
 

@@ -19,6 +19,8 @@ from ...core.arrays import BoolArray, Float32Array
 from ...core.speech.audio import Audio, AudioWriter
 from ...errors import InputError, Place, SpeechWarning, warn
 from .film_sound import FilmSound, container_of
+from .mixdown import Mixdown
+from .wav_header import with_known_length
 
 EXPECTED = "WAV, FLAC, OGG, MP3, M4A, MP4, MOV or WebM"
 LOWEST_RATE, HIGHEST_RATE = 8_000, 96_000
@@ -36,7 +38,9 @@ _FULL_SCALE = 32_767
 
 
 def read_recording(path: str | PathLike[str]) -> Audio:
-    """Return a recording as 16-bit mono at its own sample rate; several channels are averaged.
+    """Return a recording as 16-bit mono at its own sample rate.
+
+    Several channels are averaged; if they cancel each other out, the loudest is taken.
 
     Raises InputError for a file that is missing or cannot be decoded, that is silent, shorter than 0.1 s or
     longer than 6 h, or sampled at less than 8 or more than 96 kHz. Warns (SpeechWarning) of clipped sound,
@@ -94,14 +98,15 @@ def _opened(path: Path, place: Place) -> SoundFileSource | FilmSound:
 
 
 class SoundFileSource:
-    """A file that libsndfile reads, its channels averaged; InputError with its place if it cannot."""
+    """A file that libsndfile reads, its channels made one; InputError with its place if it cannot."""
 
     def __init__(self, path: Path, place: Place) -> None:
         import soundfile
 
         self._place = place
         try:
-            self._file = soundfile.SoundFile(path)
+            self._patched = with_known_length(path)
+            self._file = soundfile.SoundFile(self._patched or path)
         except (soundfile.LibsndfileError, OSError, ValueError) as error:
             raise InputError(f"{_reason(error)}; expected {EXPECTED}", place) from None
         self.sample_rate: int = self._file.samplerate
@@ -110,12 +115,12 @@ class SoundFileSource:
         """Yield the samples, each block of shape (n,), in order."""
         import soundfile
 
-        frames = 0
+        frames, mixdown = 0, Mixdown()
         try:
             for block in self._file.blocks(_BLOCK, dtype="float32", always_2d=True):
                 frames += len(block)
                 with np.errstate(invalid="ignore", over="ignore"):  # `_Checks` mends what is not a number
-                    yield block.mean(axis=1)
+                    yield mixdown.mono(block)
         except (soundfile.LibsndfileError, RuntimeError, ValueError) as error:
             at = frames / self.sample_rate
             raise InputError(f"cannot be decoded from {at:.2f} s on: {_reason(error)}", self._place) from None
@@ -123,6 +128,8 @@ class SoundFileSource:
     def close(self) -> None:
         """Close the file."""
         self._file.close()
+        if self._patched is not None:
+            self._patched.close()
 
     def __enter__(self) -> SoundFileSource:
         return self
