@@ -112,6 +112,11 @@ def drawn(settings: Settings) -> object:
     return Path("x.png").read_bytes()
 
 
+def exported(settings: Settings) -> object:
+    api.pose({"AU12": 1.0}, settings=settings).write("x.vrma")
+    return drawn(settings), Path("x.vrma").read_bytes()
+
+
 def outcome(stage: Stage, settings: Settings, spoken: Utterance, score: Score) -> object:
     """Return the cheapest output that the settings of a stage can change."""
     if stage is Stage.VOICE:
@@ -122,7 +127,7 @@ def outcome(stage: Stage, settings: Settings, spoken: Utterance, score: Score) -
         return combined(score, settings)
     if stage in (Stage.HEAD, Stage.SHAPE, Stage.SKIN):
         return solved(settings)
-    return drawn(settings)
+    return exported(settings) if stage is Stage.OUTPUT else drawn(settings)
 
 
 @pytest.mark.parametrize("stage", Stage)

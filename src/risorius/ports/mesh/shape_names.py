@@ -66,7 +66,8 @@ def _words(name: str) -> list[str]:
 
     A side, as in `eyeBlink.L`, and a copy's number, as in `jawOpen.001`, may follow the name.
     """
-    parts = [part for part in re.split(r"\s*[.:|]\s*", name.strip()) if part and not part.isdigit()] or [name]
+    parts = [part.strip() for part in re.split(r"[.:|]", name)]
+    parts = [part for part in parts if part and not part.isdigit()] or [name]
     stem = parts[-2:] if len(parts) > 1 and parts[-1].lower() in _SIDES else parts[-1:]
     words = re.findall(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])|\d+", "_".join(stem))
     return [_SIDES.get(word.lower(), word.lower()) for word in words]
