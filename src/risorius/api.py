@@ -191,7 +191,7 @@ def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Sett
     keys = {name: ((0.0, value),) for name, value in posed(targets, shown).items()}
     pose_curve = ManualCurve(keys, Cause("pose", "command"))
     score = Score(0.001, manual=(pose_curve,), settings=BlendSettings(contact=False))
-    return combine(score, settings)
+    return replace(combine(score, settings), felt=posed({}, shown))
 
 
 def rig(

@@ -61,7 +61,9 @@ SILENCE = InputKind(
     RECORDING.stages,
     "the script has no words; expected no option of a voice",
 )
-POSE = InputKind("a pose", SHOWN, "a pose is one face at rest; expected only head, skin or pictures")
+POSE = InputKind(
+    "a pose", SHOWN, "a pose is one face at rest; expected only head, skin or pictures", ("names",)
+)
 CHARACTER = InputKind(
     "a character",
     (Stage.HEAD, Stage.SHAPE),

@@ -30,7 +30,7 @@ WITHOUT_SPEECH = ("movements", "curves", "vertices", "pixels", "head")
 @click.argument("targets", nargs=-1, metavar="NAME=VALUE …", type=Named(TARGETS, after="="))
 @emotion_option
 @output_option
-@setting_options((Stage.HEAD, Stage.SHAPE, Stage.SKIN, Stage.APPEARANCE, Stage.PICTURE))
+@setting_options((Stage.HEAD, Stage.SHAPE, Stage.SKIN, Stage.APPEARANCE, Stage.PICTURE), ("names",))
 def pose(
     targets: tuple[str, ...], emotions: tuple[str, ...], outputs: tuple[Path, ...], **chosen: Any
 ) -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from risorius.api import speak
+from risorius.api import pose, speak
 from risorius.core.arkit import SHAPES, column_of
 from risorius.errors import InputError, UnusedSettingError
 from risorius.face.fit.expressions import VOWELS, emotion_presets, expressions
@@ -98,6 +98,15 @@ def test_an_avatar_of_vrm_0_has_surprised_as_its_own(tmp_path: Path) -> None:
     assert set(written["custom"]) == {"Surprised"}
     assert set(written["preset"]) == set(expressions()) - {"surprised"}
     assert read.output("Surprised", "translation").max() > 0.7
+
+
+def test_a_pose_shows_its_emotions_and_no_others(tmp_path: Path) -> None:
+    for emotion, happy in (({"happiness": 0.8}, 0.8), ({}, 0.0)):
+        pose({"AU12": 0.5, "AU26": 0.5}, emotion=emotion).write(tmp_path / "x.vrma")
+        read = Document(tmp_path / "x.vrma")
+        assert read.output("happy", "translation")[:, 0] == pytest.approx(happy, abs=0.01)
+    pose({"AU26": 0.5}, settings=Settings(names="arkit")).write(tmp_path / "x.vrma")
+    assert Document(tmp_path / "x.vrma").output("jawOpen", "translation").max() > 0.05
 
 
 def test_names_without_such_a_file_are_refused(tmp_path: Path) -> None:
