@@ -146,3 +146,10 @@ def test_a_damaged_recording_is_not_read_past_the_damage(tmp_path: Path) -> None
     path.write_bytes(data)
     with pytest.raises(InputError, match="cannot be decoded from"):
         read_recording(path)
+
+
+def test_what_only_begins_like_a_recording_is_refused(tmp_path: Path) -> None:
+    for beginning in (b"fLaC", b"OggS", b"ID3\x04", b"\xff\xfb\x90\x64"):
+        (tmp_path / "x.mp3").write_bytes(beginning + b"no sound " * 50)
+        with pytest.raises(InputError, match=r"cannot be read|cannot be decoded|lasts 0\.\d+ s|is silent"):
+            read_recording(tmp_path / "x.mp3")

@@ -40,17 +40,20 @@ def may_be_joined(beginning: bytes) -> bool:
 
 
 class ReachedFile(io.FileIO):
-    """A file that knows how far it has been read."""
+    """A file that libsndfile reads, and that knows how far it has been read."""
 
     def __init__(self, path: Path) -> None:
         super().__init__(path, "rb")
         self.reached = 0
 
-    def readinto(self, buffer: bytearray | memoryview, /) -> int:  # type: ignore[override]
-        """Fill a buffer with the next bytes; return how many there are."""
-        count = super().readinto(buffer) or 0
+    @property
+    def source(self) -> int | ReachedFile:
+        """The form in which libsndfile reads it fastest; on Windows it may not know our numbers of files."""
+        return self.fileno() if os.name == "posix" else self
+
+    def mark(self) -> None:
+        """Note the place to which it has been read."""
         self.reached = max(self.reached, self.tell())
-        return count
 
     def has_more(self, container: str) -> bool:
         """Tell whether something is left behind what was read that is not a tag."""

@@ -113,16 +113,18 @@ class SoundFileSource:
         import soundfile
 
         self._path, self._place = path, place
+        self._read: PatchedFile | ReachedFile | None = None
         check_one_wav(path, place)
         try:
             self._read = _read_by_hand(path)
-            self._file = soundfile.SoundFile(self._read or path)
+            source = self._read.source if isinstance(self._read, ReachedFile) else self._read or path
+            self._file = soundfile.SoundFile(source, closefd=False)
         except (soundfile.LibsndfileError, OSError, ValueError) as error:
+            if self._read is not None:
+                self._read.close()
             raise InputError(f"{_reason(error)}; expected {EXPECTED}", place) from None
         self.sample_rate: int = self._file.samplerate
         self._container = CONTAINERS.get(self._file.format, "")
-        if isinstance(self._read, ReachedFile):
-            self._read.reached = self._read.tell()  # the end may have been looked at to find the length
 
     def blocks(self) -> Iterator[Float32Array]:
         """Yield the samples, each block of shape (n,), in order."""
@@ -132,6 +134,8 @@ class SoundFileSource:
         try:
             for block in self._file.blocks(_BLOCK, dtype="float32", always_2d=True):
                 frames += len(block)
+                if isinstance(self._read, ReachedFile):
+                    self._read.mark()
                 with np.errstate(invalid="ignore", over="ignore"):  # `_Checks` mends what is not a number
                     yield mixdown.mono(block)
         except (soundfile.LibsndfileError, RuntimeError, ValueError) as error:
