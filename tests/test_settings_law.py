@@ -110,13 +110,13 @@ def solved(settings: Settings) -> object:
     return face.skin.tobytes(), face.wrinkles.tobytes()
 
 
-def drawn(settings: Settings) -> object:
+def drawn(settings: Settings, *also: str) -> list[bytes]:
     movement = {"channel": "emotion", "start": 0.0, "end": 1.0, "onset": 0.4, "offset": 0.4}
     score = {"risorius": 1, "duration": 1.0, "movements": [{**movement, "targets": {"masseter": 1.0}}]}
     Path("x.score.json").write_text(json.dumps(score))
     frames = replace(settings, fps=Fraction(4))
-    api.mix("x.score.json", settings=frames).write("x.png")
-    return Path("x.png").read_bytes()
+    api.mix("x.score.json", settings=frames).write("x.png", *also)
+    return [Path(name).read_bytes() for name in ("x.png", *also)]
 
 
 def outcome(stage: Stage, settings: Settings, spoken: Utterance, score: Score) -> object:
@@ -129,7 +129,7 @@ def outcome(stage: Stage, settings: Settings, spoken: Utterance, score: Score) -
         return combined(score, settings)
     if stage in (Stage.HEAD, Stage.SHAPE, Stage.SKIN):
         return solved(settings)
-    return drawn(settings)
+    return drawn(settings, *(["x.vrma"] if stage is Stage.OUTPUT else []))
 
 
 @pytest.mark.parametrize("stage", Stage)

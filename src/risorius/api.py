@@ -217,7 +217,7 @@ def pose(targets: Mapping[str, float], *, emotion: Emotions = (), settings: Sett
     keys = {name: ((0.0, value),) for name, value in posed(targets, shown).items()}
     pose_curve = ManualCurve(keys, Cause("pose", "command"))
     score = Score(0.001, manual=(pose_curve,), settings=BlendSettings(contact=False))
-    return combine(score, settings)
+    return replace(combine(score, settings), felt=posed({}, shown))
 
 
 def rig(
@@ -238,6 +238,7 @@ def rig(
     from .face.head.head import head_of
     from .machine.atomic import replacing
     from .ports.mesh.glb_file import save_glb
+    from .ports.mesh.gltf import clip_times
     from .ports.mesh.rig import animated, check_performable, read_rig, report
 
     settings, path = checked(settings), path_of(character)
@@ -251,7 +252,7 @@ def rig(
         take = take if isinstance(take, Take) else take()
         track = ArkitFit(take.head, rig.shapes).track(take.faces())
         with replacing(Path(output)) as path:
-            save_glb(animated(rig, track, take.times), path)
+            save_glb(animated(rig, track, clip_times(take)), path)
     return rig, report(rig, head_of(settings))
 
 

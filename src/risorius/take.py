@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import astuple, dataclass, field, fields, replace
 from functools import cached_property
 from itertools import repeat
@@ -16,7 +16,7 @@ import numpy as np
 from .core.arrays import Array, ByteArray
 from .core.lips.articulators import ARTICULATORS
 from .core.lips.lip_rig import LipRig
-from .core.parameters import MUSCLES, NAMES, parameters_named
+from .core.parameters import INDEX, MUSCLES, NAMES, parameters_named
 from .core.performance import Performance
 from .core.progress import Progress, quiet
 from .core.score import Score
@@ -30,7 +30,7 @@ from .solvers import SolverCache
 if TYPE_CHECKING:
     from .blend import Explanation, Plan, Tally, Trace
     from .core.look import Size
-    from .face.fit.arkit_fit import ArkitTrack
+    from .face.fit.arkit_track import ArkitTrack
     from .face.fit.measure import Gauge
     from .face.frame import FaceFrame
     from .face.head.head import Head
@@ -46,7 +46,8 @@ class Take:
 
     `utterance` is None if nothing is said; `sound`, if given, is heard in place of the voice. Faces
     and pictures are made when they are asked for, one frame at a time. `planned` is the plan that the
-    performance was made by, if it is still there. Takes that share a `cache` solve faces one after the
+    performance was made by, if it is still there; `felt` are the parameters that the emotions of a pose alone
+    set, as its score does not tell. Takes that share a `cache` solve faces one after the
     other, with solvers that are made once.
     """
 
@@ -56,6 +57,7 @@ class Take:
     sound: Audio | None = None
     planned: Plan | None = field(default=None, repr=False, compare=False)
     cache: HeadCache = field(default_factory=lambda: HeadCache(), repr=False, compare=False)
+    felt: Mapping[str, float] = field(default_factory=dict, compare=False)
 
     def __repr__(self) -> str:
         """Return one line: its duration and its text."""
@@ -132,7 +134,8 @@ class Take:
         chosen = self.settings
         transparent = chosen.look.transparent
         draft = chosen.look.quality == "draft"
-        options = WriteOptions(chosen.size, chosen.at, chosen.every, transparent, draft, progress=progress)
+        pictured = chosen.size, chosen.at, chosen.every
+        options = WriteOptions(*pictured, chosen.names, transparent, draft, progress=progress)
         write_targets(self, check_targets(paths), options)
 
     def faces(
@@ -286,7 +289,20 @@ class Take:
         """
         from .face.fit.arkit_fit import ArkitFit
 
-        return ArkitFit.of(self.head).track(self.faces(reuse=True))
+        track = ArkitFit.of(self.head).track(self.faces(reuse=True))
+        return replace(track, times=self.times)
+
+    def emotion_curves(self) -> Array:
+        """Return the muscles of every frame (frames, 46) as emotions alone would move them.
+
+        A performance whose score has no movements of emotions, such as a captured one, has none.
+        """
+        from .blend import emotion_curves
+
+        curves = emotion_curves(self.score, self.times)
+        for name, value in self.felt.items():
+            curves[:, INDEX[name]] = value
+        return curves
 
     def fit_arkit(self, progress: Progress = quiet) -> ArkitTrack:
         """Return `arkit`; when it is fitted for the first time, report the remaining distances."""

@@ -64,7 +64,10 @@ SILENCE = InputKind(
     "the script has no words; expected no option of a voice",
 )
 POSE = InputKind(
-    "a pose", SHOWN, "a pose is one face at rest; expected only head, skin or pictures", ("rules",)
+    "a pose",
+    SHOWN,
+    "a pose is one face at rest; expected only head, skin or pictures",
+    ("rules", "names"),
 )
 CHARACTER = InputKind(
     "a character",
@@ -101,6 +104,8 @@ UNWRITTEN: Mapping[Stage, str] = {
     Stage.PICTURE: "no output is a picture or a video; expected e.g. -o x.mp4",
     Stage.OUTPUT: "no output is a single picture; expected -o x.png",
 }
+UNREAD: Mapping[str, str] = {"names": "no output has expressions of VRM; expected -o x.vrma"}
+"""Reasons of single settings, in place of their stage's."""
 
 
 def chosen(settings: Settings) -> Iterator[str]:
@@ -124,7 +129,8 @@ def reject_unwritten(
     by_stage = {name: read_by.get(name, row.entry.stage) for name, row in rows(Settings).items()}
     unused = [n for n in chosen(settings) if n not in names and by_stage[n] not in stages]
     if unused:
-        raise UnusedSettingError(unused, UNWRITTEN[by_stage[unused[0]]])
+        first = unused[0]
+        raise UnusedSettingError(unused, UNREAD.get(first) or UNWRITTEN[by_stage[first]])
 
 
 def values_read(settings: Settings, stage: Stage) -> tuple[object, ...]:

@@ -220,7 +220,7 @@ register(".head.npz", _head, PACKAGE / "heads/standard/head.npz")
 register(".npz", _arrays, lambda: _saved(lambda file: np.savez(file, a=np.arange(9.0), b=np.eye(3))))
 register(".glb", read_rig, _glb)
 register(".wav", read_recording, lambda: _saved(_wav))
-register(".flac", read_recording, lambda: _sound("FLAC"))
+register(".flac", read_recording, lambda: _sound("FLAC"), lambda: 2 * _sound("FLAC"))
 register(".ogg", read_recording, lambda: _sound("OGG"))
 register(".mp3", read_recording, lambda: _sound("MP3"))
 register(

@@ -63,6 +63,7 @@ PARSERS = {
     "live/serve/messages": ".client",
     "speech/engines/program": ".answer",
     "speech/recordings/film_worker": ".m4a .mp4 .mov .webm .mkv .aac",
+    "speech/recordings/joined_files": ".flac .ogg .mp3",
     "speech/recordings/recording": ".wav .flac .ogg .mp3",
     "studio/project/project": ".project.json",
     "studio/project/session_list": ".saved.json",

@@ -390,6 +390,7 @@
  * @property {string} [size]
  * @property {number|null} [at]
  * @property {number|null} [every]
+ * @property {string} [names]
  * @property {string} [style]
  * @property {string} [camera]
  * @property {number} [lens]

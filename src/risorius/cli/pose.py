@@ -32,7 +32,9 @@ WITHOUT_SPEECH = ("movements", "curves", "vertices", "pixels", "head")
 @emotion_option
 @output_option
 @setting_options(
-    (Stage.HEAD, Stage.SHAPE, Stage.SKIN, Stage.APPEARANCE, Stage.PICTURE), ("rules",), words=LINKS_ALONE
+    (Stage.HEAD, Stage.SHAPE, Stage.SKIN, Stage.APPEARANCE, Stage.PICTURE),
+    ("rules", "names"),
+    words=LINKS_ALONE,
 )
 def pose(
     targets: tuple[str, ...], emotions: tuple[str, ...], outputs: tuple[Path, ...], **chosen: Any

@@ -56,6 +56,15 @@ TEXT_FORMATS: Mapping[str, str] = MappingProxyType(
 """The formats of a text without markup of its own."""
 MANNERS = ("plain", "whisper", "murmur", "shout")
 EXPRESSIONS = ("felt", "posed")
+EXPRESSION_NAMES: Mapping[str, str] = MappingProxyType(
+    {
+        "vrm0": "VRM's presets, for avatars of VRM 0",
+        "vrm1": "for those of VRM 1",
+        "arkit": "the 52 shapes, for Perfect Sync",
+        "ARKit": "these with capitals",
+    }
+)
+"""The sets of expressions of a VRM avatar, of which one is sent or written."""
 DYNAMICS: Mapping[str, str] = MappingProxyType(
     {"springs": "with inertia", "biphasic": "stiffer under strain", "static": ""}
 )

@@ -175,41 +175,42 @@ def textgrid_lines(duration: float, tiers: Sequence[Tier]) -> Iterator[str]:
     """Yield the lines of a TextGrid over [0, `duration`] seconds, its times rounded to 1e-6 s.
 
     Intervals follow one another in each tier; what lies between them is filled with empty ones, because Praat
-    accepts no gaps. An interval that the rounding leaves nothing of is left out.
+    accepts no gaps. An interval that the rounding leaves nothing of is left out. Lines with a value end in a
+    blank, as Praat writes them: there are readers that cut at it.
     """
     end = _rounded(duration)
     yield from ('File type = "ooTextFile"', 'Object class = "TextGrid"', "")
     yield from _span_lines("", end)
-    yield from ("tiers? <exists>", f"size = {len(tiers)}", "item []:")
+    yield from ("tiers? <exists> ", f"size = {len(tiers)} ", "item []: ")
     for number, tier in enumerate(tiers, 1):
         yield f"    item [{number}]:"
-        yield f'        class = "{tier.kind}"'
-        yield f"        name = {_written(tier.name)}"
+        yield f'        class = "{tier.kind}" '
+        yield f"        name = {_written(tier.name)} "
         yield from _span_lines("        ", end)
         yield from (_interval_lines if tier.kind == INTERVALS else _point_lines)(tier, end)
 
 
 def _interval_lines(tier: Tier, end: float) -> Iterator[str]:
     intervals = list(_filled(tier.labels, end))
-    yield f"        intervals: size = {len(intervals)}"
+    yield f"        intervals: size = {len(intervals)} "
     for number, label in enumerate(intervals, 1):
         yield f"        intervals [{number}]:"
-        yield f"            xmin = {_number(label.start)}"
-        yield f"            xmax = {_number(label.end)}"
-        yield f"            text = {_written(label.text)}"
+        yield f"            xmin = {_number(label.start)} "
+        yield f"            xmax = {_number(label.end)} "
+        yield f"            text = {_written(label.text)} "
 
 
 def _point_lines(tier: Tier, _end: float) -> Iterator[str]:
-    yield f"        points: size = {len(tier.labels)}"
+    yield f"        points: size = {len(tier.labels)} "
     for number, label in enumerate(tier.labels, 1):
         yield f"        points [{number}]:"
-        yield f"            number = {_number(_rounded(label.start))}"
-        yield f"            mark = {_written(label.text)}"
+        yield f"            number = {_number(_rounded(label.start))} "
+        yield f"            mark = {_written(label.text)} "
 
 
 def _span_lines(indent: str, end: float) -> Iterator[str]:
-    yield f"{indent}xmin = 0"
-    yield f"{indent}xmax = {_number(end)}"
+    yield f"{indent}xmin = 0 "
+    yield f"{indent}xmax = {_number(end)} "
 
 
 def _filled(labels: Iterable[Label], end: float) -> Iterator[Label]:

@@ -64,6 +64,23 @@ def test_praatio_reads_all_tiers_without_gaps(
     assert [tuple(entry) for entry in grid.getTier("boundaries").entries] == [(0.8, "L-H%")]
 
 
+def test_lines_end_as_praat_ends_them(
+    tmp_path: Path, take_of: Callable[..., WritableTake], utterance_of: UtteranceMaker
+) -> None:
+    """Praat 6.1 saves this file byte for byte the same; mytextgrid cuts at the blanks."""
+    utterance = replace(utterance_of("AA", seconds=0.2), accents=(Accent(0.6, 0, 0, "H*"),))
+    write_textgrid(take_of(utterance=utterance), tmp_path / "x.TextGrid", WriteOptions())
+    head, tiers = (tmp_path / "x.TextGrid").read_text().split("tiers?")
+    assert head == 'File type = "ooTextFile"\nObject class = "TextGrid"\n\nxmin = 0 \nxmax = 1.2 \n'
+    assert tiers.startswith(
+        ' <exists> \nsize = 4 \nitem []: \n    item [1]:\n        class = "IntervalTier" \n'
+        '        name = "words" \n        xmin = 0 \n        xmax = 1.2 \n        intervals: size = 3 \n'
+        '        intervals [1]:\n            xmin = 0 \n            xmax = 0.5 \n            text = "" \n'
+    )
+    assert tiers.endswith("        points: size = 0 \n")
+    assert '        points [1]:\n            number = 0.6 \n            mark = "H*" \n' in tiers
+
+
 def test_tones_stand_behind_their_vowels_and_are_read_back(
     tmp_path: Path, take_of: Callable[..., WritableTake]
 ) -> None:

@@ -29,6 +29,8 @@ def film(
     sound: bool = True,
     seconds: float = SECONDS,
     right: int = 0,
+    sound_from: float = 0.0,
+    picture_from: float = 0.0,
 ) -> Path:
     """Write a film with a tone of 220 Hz on the left channel, and `right` times it on the other."""
     with av.open(str(path), "w") as container:
@@ -36,8 +38,9 @@ def film(
         stream = container.add_stream(codec, rate=rate, layout="stereo") if sound else None
         if video is not None:
             video.width = video.height = 16
-            for _ in range(5):
+            for number in range(5):
                 frame = av.VideoFrame.from_ndarray(np.zeros((16, 16, 3), np.uint8), format="rgb24")
+                frame.pts, frame.time_base = number + round(10 * picture_from), Fraction(1, 10)
                 container.mux(video.encode(frame))
             container.mux(video.encode(None))
         if stream is not None:
@@ -46,7 +49,8 @@ def film(
             frame = av.AudioFrame.from_ndarray(
                 np.stack([left, right * left], 1).reshape(1, -1), format="s16", layout="stereo"
             )
-            frame.sample_rate, frame.time_base, frame.pts = rate, Fraction(1, rate), 0
+            frame.sample_rate, frame.time_base = rate, Fraction(1, rate)
+            frame.pts = round(sound_from * rate)
             container.mux(stream.encode(frame))
             container.mux(stream.encode(None))
     return path
@@ -80,6 +84,37 @@ def test_channels_of_a_film_that_cancel_each_other_out_are_heard(tmp_path: Path)
     audio = read_recording(film(tmp_path / "x.mov", "pcm_s16le", seconds=2.5, right=-1))
     assert audio.duration == pytest.approx(2.5, abs=0.001)
     assert np.abs(audio.read().astype(float)).max() == pytest.approx(9_000, rel=0.01)
+
+
+def onset(path: Path) -> float:
+    """Return when the tone begins in a recording, in seconds."""
+    audio = read_recording(path)
+    return float(np.argmax(np.abs(audio.read().astype(float)) > 2_000)) / audio.sample_rate
+
+
+@pytest.mark.parametrize(
+    ("name", "codec"),
+    [("x.mp4", "aac"), ("x.mov", "pcm_s16le"), ("x.mov", "aac"), ("x.mkv", "flac"), ("x.webm", "libopus")],
+)
+def test_sound_that_begins_after_the_picture_keeps_the_time_of_the_film(
+    name: str, codec: str, tmp_path: Path
+) -> None:
+    pictures = name != "x.webm"
+    late = film(tmp_path / name, codec, pictures=pictures, sound_from=0.8)
+    assert onset(late) == pytest.approx(0.8 if pictures else 0.0, abs=0.025)
+    assert read_recording(late).duration == pytest.approx(SECONDS + (0.8 if pictures else 0.0), abs=0.06)
+
+
+def test_times_of_a_film_are_counted_from_its_picture(tmp_path: Path) -> None:
+    shifted = film(tmp_path / "x.mkv", "flac", pictures=True, sound_from=10.3, picture_from=10.0)
+    assert onset(shifted) == pytest.approx(0.3, abs=0.025)
+    early = film(tmp_path / "y.mkv", "flac", pictures=True, picture_from=0.5)
+    assert onset(early) == pytest.approx(0.0, abs=0.025)
+
+
+def test_hours_of_nothing_before_the_sound_are_refused(tmp_path: Path) -> None:
+    path = film(tmp_path / "x.mkv", "flac", rate=8_000, pictures=True, sound_from=7 * 3600.0)
+    assert "is longer than 6 hours" in refusal(path)
 
 
 def test_a_film_is_known_by_its_first_bytes() -> None:

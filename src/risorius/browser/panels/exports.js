@@ -54,7 +54,7 @@ class Exports {
     return box;
   }
 
-  /** Return the settings of videos and pictures. @param {SettingRow[]} settings */
+  /** Return the settings of videos, pictures and avatars. @param {SettingRow[]} settings */
   #picture(settings) {
     const rows = settings.map((setting) => {
       const { element } = settingRow(setting, this.#look[setting.key], (value) => {
@@ -62,7 +62,7 @@ class Exports {
       });
       return element;
     });
-    return make("details", {}, make("summary", {}, "Picture"), make("div", { class: "stack" }, ...rows));
+    return make("details", {}, make("summary", {}, "Picture and avatar"), make("div", { class: "stack" }, ...rows));
   }
 
   #name() {

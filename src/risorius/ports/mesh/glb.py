@@ -27,7 +27,7 @@ from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from .basis import ClipBasis
 from .glb_scene import GlbScene
-from .gltf import Animation, Gltf, quaternions
+from .gltf import Animation, Gltf, clip_times, quaternions
 
 GENERATOR = "Risorius"
 _SMALL = 1e-3  # mm: smaller displacements count as zero
@@ -60,7 +60,7 @@ def write_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
     }
     scene = GlbScene(head, gltf, parts, moving)
     scene.build()
-    animate(scene, take.performance.times, dict(zip(moving, weights.T, strict=True)), turns)
+    animate(scene, clip_times(take), dict(zip(moving, weights.T, strict=True)), turns)
     gltf.save(path)
 
 
@@ -73,7 +73,7 @@ def write_rig_glb(take: WritableTake, path: Path, options: WriteOptions) -> None
     turns = Turns()
     for frame in take.faces(progress=options.progress):
         turns.append(frame)
-    animate(scene, take.performance.times, dict(zip(SHAPES, track.weights.T, strict=True)), turns)
+    animate(scene, clip_times(take), dict(zip(SHAPES, track.weights.T, strict=True)), turns)
     gltf.save(path)
 
 
@@ -124,12 +124,10 @@ class Turns:
 
 
 def animate(scene: GlbScene, times: Array, weights: Mapping[str, Array], turns: Turns) -> None:
-    """Add the animation: `weights` (frames,) by morph target, and the rotations."""
+    """Add the animation: `weights` (frames,) by morph target, and the rotations; `times` are `clip_times`."""
     animation = Animation(scene.gltf, times)
     for node, names in scene.targets.items():
-        animation.drive(
-            scene.nodes[node], "weights", np.stack([weights[name] for name in names], axis=1).ravel()
-        )
+        animation.drive(scene.nodes[node], "weights", np.stack([weights[name] for name in names], axis=1))
     for node, rotations in turns.all().items():
         animation.drive(scene.nodes[node], "rotation", rotations)
     animation.finish()

@@ -33,15 +33,20 @@ def container_of(beginning: bytes) -> str | None:
 class FilmSound:
     """The sound of a film, its channels averaged. Use as a context manager: leaving it ends the decoder.
 
-    `sample_rate` is known from the start. Raises InputError with the file's place if it has no sound, if it
-    cannot be decoded, or if the decoder does not answer for `PATIENCE` seconds.
+    It begins with the picture: if the recorded sound begins later, silence comes first. `sample_rate` is
+    known from the start; `rate`: the one wanted, 0 for the sound's own. `patient`: single packets that cannot
+    be decoded are left out. Raises InputError with the file's place if it has no sound, if it cannot be
+    decoded, or if the decoder does not answer for `PATIENCE` seconds.
     """
 
-    def __init__(self, path: Path, container: str, place: Place) -> None:
+    def __init__(
+        self, path: Path, container: str, place: Place, rate: int = 0, *, patient: bool = False
+    ) -> None:
         self._place, self._decoded = place, 0
         try:
             self._worker = Worker()
-            self._worker.send(_TASK, os.fspath(path.absolute()), container, tells=True)
+            file = os.fspath(path.absolute())
+            self._worker.send(_TASK, file, container, rate, patient, tells=True)
         except WorkerError as error:
             raise self._fault(f"the decoder {error}") from None
         self._items = self._worker.items(PATIENCE)
@@ -54,8 +59,19 @@ class FilmSound:
     def blocks(self) -> Iterator[Float32Array]:
         """Yield the samples, each block of shape (n,), in order."""
         while data := self._next():
+            if isinstance(data, float):
+                yield from self._silence(data)
+                continue
             self._decoded += len(data) // 4
             yield np.frombuffer(data, "<f4").astype(np.float32, copy=False)
+
+    def _silence(self, seconds: float) -> Iterator[Float32Array]:
+        """Yield silence in blocks of at most a second."""
+        left = round(seconds * self.sample_rate)
+        while left > 0:
+            size = min(left, self.sample_rate)
+            self._decoded, left = self._decoded + size, left - size
+            yield np.zeros(size, np.float32)
 
     def _next(self) -> Any:
         """Return what the decoder tells next, None at the end."""

@@ -19,8 +19,17 @@ from ...core.arrays import BoolArray, Float32Array
 from ...core.speech.audio import Audio, AudioWriter
 from ...errors import InputError, Place, SpeechWarning, warn
 from .film_sound import FilmSound, container_of
+from .joined_files import (
+    CONTAINERS,
+    ReachedFile,
+    check_one_wav,
+    check_rest,
+    is_whole_ogg,
+    may_be_joined,
+    rest_after,
+)
 from .mixdown import Mixdown
-from .wav_header import with_known_length
+from .wav_header import PatchedFile, with_known_length
 
 EXPECTED = "WAV, FLAC, OGG, MP3, M4A, MP4, MOV or WebM"
 LOWEST_RATE, HIGHEST_RATE = 8_000, 96_000
@@ -103,13 +112,19 @@ class SoundFileSource:
     def __init__(self, path: Path, place: Place) -> None:
         import soundfile
 
-        self._place = place
+        self._path, self._place = path, place
+        self._read: PatchedFile | ReachedFile | None = None
+        check_one_wav(path, place)
         try:
-            self._patched = with_known_length(path)
-            self._file = soundfile.SoundFile(self._patched or path)
+            self._read = _read_by_hand(path)
+            source = self._read.source if isinstance(self._read, ReachedFile) else self._read or path
+            self._file = soundfile.SoundFile(source, closefd=False)
         except (soundfile.LibsndfileError, OSError, ValueError) as error:
+            if self._read is not None:
+                self._read.close()
             raise InputError(f"{_reason(error)}; expected {EXPECTED}", place) from None
         self.sample_rate: int = self._file.samplerate
+        self._container = CONTAINERS.get(self._file.format, "")
 
     def blocks(self) -> Iterator[Float32Array]:
         """Yield the samples, each block of shape (n,), in order."""
@@ -119,23 +134,57 @@ class SoundFileSource:
         try:
             for block in self._file.blocks(_BLOCK, dtype="float32", always_2d=True):
                 frames += len(block)
+                if isinstance(self._read, ReachedFile):
+                    self._read.mark()
                 with np.errstate(invalid="ignore", over="ignore"):  # `_Checks` mends what is not a number
                     yield mixdown.mono(block)
         except (soundfile.LibsndfileError, RuntimeError, ValueError) as error:
             at = frames / self.sample_rate
-            raise InputError(f"cannot be decoded from {at:.2f} s on: {_reason(error)}", self._place) from None
+            fault = InputError(f"cannot be decoded from {at:.2f} s on: {_reason(error)}", self._place)
+            if self._container != "ogg" or not is_whole_ogg(self._path):
+                raise fault from None
+            # At a joint of Ogg streams it gives up, although they are whole.
+            yield from self._after_joint(frames, fault)
+        else:
+            if isinstance(self._read, ReachedFile) and self._read.has_more(self._container):
+                yield from self._after_joint(frames)
+
+    def _after_joint(self, frames: int, fault: InputError | None = None) -> Iterator[Float32Array]:
+        """Yield the sound that is left of the file after `frames` samples.
+
+        If there is none, raises `fault`, or InputError if much of the file is left.
+        """
+        assert isinstance(self._read, ReachedFile)
+        reached, is_more = self._read.reached, False
+        if self._container:
+            for block in rest_after(
+                self._path, self._container, self.sample_rate, frames, reached, self._place
+            ):
+                is_more = True
+                yield block
+        if not is_more and fault is not None:
+            raise fault
+        if not is_more:
+            check_rest(self._path, reached, frames / self.sample_rate, self._place)
 
     def close(self) -> None:
         """Close the file."""
         self._file.close()
-        if self._patched is not None:
-            self._patched.close()
+        if self._read is not None:
+            self._read.close()
 
     def __enter__(self) -> SoundFileSource:
         return self
 
     def __exit__(self, *_: object) -> None:
         self.close()
+
+
+def _read_by_hand(path: Path) -> PatchedFile | ReachedFile | None:
+    """Return a file that libsndfile does not read alone as it should; None for any other."""
+    with path.open("rb") as file:
+        beginning = file.read(_BEGINNING)
+    return ReachedFile(path) if may_be_joined(beginning) else with_known_length(path)
 
 
 def _bounded(source: SoundFileSource | FilmSound, place: Place) -> Iterator[Float32Array]:
