@@ -19,7 +19,8 @@ def insert_shape_keys(track: Track, objects: list, first: float, names: dict[str
     `first`: the scene's frame at which the track begins. `names`: the shape key of a value whose own name is
     another. Keys that the track does not name stay as they are.
     """
-    wanted = {plain((names or {}).get(name, name)): name for name in track.values}
+    mapped = {plain(name): key for name, key in (names or {}).items()}
+    wanted = {plain(mapped.get(plain(name), name)): name for name in track.values}
     found = set()
     for data in {item.data.shape_keys for item in objects if _has_keys(item)}:
         matching = {key.name: wanted[plain(key.name)] for key in data.key_blocks if plain(key.name) in wanted}
