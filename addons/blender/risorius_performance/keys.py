@@ -67,6 +67,18 @@ def add_sound(path: Path, first: float):
     return editor.strips.new_sound(path.stem, str(path), channel, round(first))
 
 
+def get_rate() -> tuple[int, float]:
+    """Return the frames of the scene, and the seconds that they last."""
+    render = bpy.context.scene.render
+    return render.fps, render.fps_base
+
+
+def set_rate(rate: tuple[int, float]) -> None:
+    """Let the scene play so many frames in so many seconds."""
+    render = bpy.context.scene.render
+    render.fps, render.fps_base = rate
+
+
 def fit_scene(track: Track, first: float) -> None:
     """Let the scene last as long as the track."""
     scene = bpy.context.scene
