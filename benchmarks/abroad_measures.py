@@ -58,7 +58,7 @@ class Loss:
     overlap   mm by which they overlap there more than at rest, at most
     beyond    mm by which they stand farther open than ours, at most over all frames
     tuck      mm that the lower lip is farther from the upper teeth than ours at /f v/, at most
-    lids      mm that lids stand open in a frame in which ours are shut, at most
+    lids      mm that lids stand farther open than ours where ours are shut, at most
     gaze      degrees between the eyes' directions in the head and ours, at most
     head      degrees between the head's rotation and ours, at most
     rms       mm between its skin and ours over the visible vertices of all frames
@@ -151,7 +151,7 @@ class Gauges:
             overlap=_most(-sealed),
             beyond=_most(beyond),
             tuck=_most(teeth),
-            lids=_most(self.openings(skin)[own.shut]),
+            lids=_most((self.openings(skin) - self.openings(ours))[own.shut]),
             gaze=np.nan if seen.looks is None else _most(_gaze_apart(seen, own.seen)),
             head=_most(_angles(np.einsum("fij,fij->f", seen.head, own.seen.head))),
             rms=float(np.sqrt((apart**2).sum(axis=2).mean())),

@@ -1,16 +1,19 @@
 """`.oculus.csv`: weights of the 15 visemes of OVRLipSync (Meta), one row per frame; they add up to 1.
 
-Neighbours fade into each other over `FADE` seconds about their common edge. Lost: all but the phones.
+Neighbours fade into each other over `FADE` seconds about their common edge. But at /p b m/ `PP` follows our
+own lips: it is 1, and all others 0, as long as they are sealed, however short the phone. Lost: all but the
+phones.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 
 from ...core.arrays import Array
+from ...core.lips.lip_rig import OPENING, SEAL, gap_left
+from ...core.parameters import INDEX
 from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from ..table import table_lines, write_lines
@@ -18,32 +21,65 @@ from .visemes import OCULUS, Cue, Viseme, cues, said
 
 FADE = 0.08
 COLUMNS = ("time_s", *OCULUS)
+SHUT, OPEN = 0.3, 1.2  # mm between the lips up to which they count as sealed, and from which as open
+SOUGHT = 0.05  # the seal from which on lips that touch are closed, and not at rest
+NEAR, FAR = 0.08, 0.16  # s before and after a bilabial within which its lips are sealed, and beyond which not
+_CLOSED = OCULUS.index("PP")
 
 
 def write_oculus_csv(take: WritableTake, path: Path, _options: WriteOptions) -> None:
     """Write the time in seconds and 15 weights; raise OutputError if nothing is said."""
-    viseme_cues = cues(said(take), _names, OCULUS[0])
-    write_lines(
-        path, table_lines(COLUMNS, _rows(viseme_cues, take.performance.times), [6] + [4] * len(OCULUS))
-    )
+    times, viseme_cues = take.performance.times, cues(said(take), _names, OCULUS[0])
+    weights = _faded(viseme_cues, times)
+    closed = _sealed(take) * _near(viseme_cues, times)
+    before = weights[:, _CLOSED]
+    after = np.maximum(before, closed)
+    weights *= ((1.0 - after) / np.maximum(1.0 - before, 1e-9))[:, None]
+    weights[:, _CLOSED] = after
+    rows = np.concatenate([times[:, None], weights], axis=1)
+    write_lines(path, table_lines(COLUMNS, rows, [6] + [4] * len(OCULUS)))
+
+
+def _sealed(take: WritableTake) -> Array:
+    """Return how far our own lips are sealed in each frame (frames,): 1 where they touch by a seal."""
+    curves = take.performance.values
+    seal = curves[:, INDEX[SEAL]]
+    if not seal.any():
+        return np.zeros(len(curves))
+    gap = take.head_lips.gap({name: curves[:, INDEX[name]] for name in OPENING})
+    left = gap_left(np.maximum(gap, 0.0), seal)
+    return np.asarray(np.clip((OPEN - left) / (OPEN - SHUT), 0.0, 1.0) * np.minimum(seal / SOUGHT, 1.0))
+
+
+def _near(viseme_cues: list[Cue], times: Array) -> Array:
+    """Return 1 for times (frames,) near a bilabial, 0 far from all: lips are pressed in other places, too."""
+    away = np.full(len(times), np.inf)
+    for cue in viseme_cues:
+        if cue.shape == OCULUS[_CLOSED]:
+            away = np.minimum(away, np.maximum(cue.start - times, times - cue.end))
+    return np.asarray(np.clip((FAR - away) / (FAR - NEAR), 0.0, 1.0))
 
 
 def _names(viseme: Viseme) -> tuple[str, ...]:
     return viseme.oculus
 
 
-def _rows(viseme_cues: list[Cue], times: Array) -> Iterator[Array]:
+def _faded(viseme_cues: list[Cue], times: Array) -> Array:
+    """Return the weights (frames, 15) of cues that fade into each other."""
     edges = np.array([cue.start for cue in viseme_cues[1:]])
     names = np.array([OCULUS.index(cue.shape) for cue in viseme_cues])
-    for time in times:
+    weights = np.zeros((len(times), len(OCULUS)))
+    for row, time in zip(weights, times, strict=True):
         # How far each edge has been passed; differences are the shares of the cues between them.
         passed = np.clip((time - edges) / FADE + 0.5, 0.0, 1.0)
         shares = np.concatenate([[1.0], passed]) - np.concatenate([passed, [0.0]])
-        weights = np.zeros(len(OCULUS))
-        np.add.at(weights, names, np.maximum(shares, 0.0))
-        yield np.concatenate([[time], weights])
+        np.add.at(row, names, np.maximum(shares, 0.0))
+    return np.asarray(weights / weights.sum(axis=1, keepdims=True))
 
 
 register(
-    ".oculus.csv", "weights of the 15 visemes of OVRLipSync", {"speech"}, write_oculus_csv, reads=("fps",)
+    ".oculus.csv",
+    "weights of the 15 visemes of OVRLipSync",
+    {"speech", "curves"},
+    write_oculus_csv,
 )
