@@ -3,9 +3,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from risorius.api import pose
+from risorius.api import play, pose
 from risorius.errors import InputError
 from risorius.ports.curves.au_csv import CAMERA, COLUMNS, pose_angles, read_au_csv, turn_of
+from risorius.settings import Settings
 from risorius.take import Take
 
 
@@ -83,3 +84,14 @@ def test_angles_go_there_and_back() -> None:
     angles = (0.2, -0.4, 0.1)
     assert pose_angles(turn_of(np.array(angles))) == pytest.approx(angles)
     assert np.allclose(CAMERA @ CAMERA, np.eye(3))
+
+
+def test_the_last_frame_is_held_although_the_file_rounds_its_time(tmp_path: Path) -> None:
+    """Row 8 of 30 per second stands at .233, frame 7 at .23333: it must not fall back to rest."""
+    header = "timestamp, AU01_r, AU12_r, pose_Rx, pose_Ry, pose_Rz"
+    rows = [f"{number / 30:.3f}, 0, 3, 0.1, 0, 0" for number in range(8)]
+    (tmp_path / "x.au.csv").write_text("\n".join([header, *rows]))
+    curves = play(tmp_path / "x.au.csv", settings=Settings(dynamics="static")).curves
+    assert len(curves["head_pitch"]) == 8
+    assert curves["head_pitch"][-1] == pytest.approx(curves["head_pitch"][3])
+    assert abs(curves["head_pitch"][-1]) > 5.0

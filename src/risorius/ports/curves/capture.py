@@ -30,6 +30,7 @@ Parse = Callable[[str], Sequence[float]]
 HEAD_ANGLES = [INDEX[f"head_{angle}"] for angle in ("pitch", "yaw", "roll")]
 GAZE_ANGLES = [INDEX["gaze_pitch"], INDEX["gaze_yaw"]]
 """The columns of the head's and the gaze's angles among the parameters."""
+_HELD = 1e-3  # s after its last row in which a capture keeps its values
 _RESTS = 1e-4  # a parameter that never leaves its rest by more gets no curve
 LARGEST = 512_000_000  # bytes
 LONGEST_LINE = 1_000_000  # characters
@@ -202,8 +203,10 @@ def score_of_capture(times: Array, values: Array, source: str) -> ScoreFile:
     low, high = (np.array([getattr(p, end) for p in PARAMETERS]) for end in ("low", "high"))
     clipped = np.clip(values, low, high)
     moving = np.flatnonzero(np.abs(clipped - NEUTRAL).max(axis=0) > _RESTS)
-    clock = times.tolist()
-    keys = {NAMES[column]: tuple(zip(clock, clipped[:, column].tolist(), strict=True)) for column in moving}
+    # Files round times, so the last frame that is performed may come a little after the last row: it holds.
+    clock = [*times.tolist(), float(times[-1]) + _HELD]
+    held = np.concatenate([clipped, clipped[-1:]])
+    keys = {NAMES[column]: tuple(zip(clock, held[:, column].tolist(), strict=True)) for column in moving}
     curves = (ManualCurve(keys, Cause("capture", source)),) if keys else ()
     settings = BlendSettings(contact=False)
     return ScoreFile(Score(max(float(times[-1]), 1e-3), manual=curves, settings=settings))
