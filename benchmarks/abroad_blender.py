@@ -1,7 +1,7 @@
 """Started with Blender's module by `abroad.py`: imports a file and writes what it shows, frame by frame.
 
 Asked by JSON on the standard input, it writes a row of float32 for each frame: the wanted vertices of the
-skin in metres, the head's quaternion (x, y, z, w), the directions of both eyes; with Y up, as our files have it.
+skin in metres, the head's quaternion (x, y, z, w), the directions of both eyes; with Y up, as in our files.
 """
 
 from __future__ import annotations

@@ -153,7 +153,7 @@ class Gauges:
             tuck=_most(teeth),
             lids=_most((self.openings(skin) - self.openings(ours))[own.shut]),
             gaze=np.nan if seen.looks is None else _most(_gaze_apart(seen, own.seen)),
-            head=_most(_angles(np.einsum("fij,fij->f", seen.head, own.seen.head))),
+            head=_most(_angles(seen.head, own.seen.head)),
             rms=float(np.sqrt((apart**2).sum(axis=2).mean())),
         )
 
@@ -167,9 +167,12 @@ def _gaze_apart(seen: Seen, own: Seen) -> Array:
     return np.degrees(np.arctan2(cross, (one * other).sum(axis=2)))
 
 
-def _angles(trace: Array) -> Array:
-    """Return the angles in degrees of rotations whose traces are given."""
-    return np.degrees(np.arccos(np.clip((trace - 1.0) / 2.0, -1.0, 1.0)))
+def _angles(one: Array, other: Array) -> Array:
+    """Return the degrees between rotations (frames, 3, 3): exact for small ones, too."""
+    between = np.einsum("fji,fjk->fik", one, other)
+    across = between - between.swapaxes(1, 2)
+    sine = 0.5 * np.sqrt(0.5 * (across**2).sum(axis=(1, 2)))
+    return np.degrees(np.arctan2(sine, 0.5 * (np.trace(between, axis1=1, axis2=2) - 1.0)))
 
 
 def _most(values: Array) -> float:
