@@ -37,6 +37,7 @@ CASES: dict[str, object] = {
     "size": (48, 32),
     "at": 0.0,
     "every": 2,
+    "names": "arkit",
     "style": "wireframe",
     "camera": "eyes",
     "lens": 135.0,

@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 
 from risorius.core.arkit import INDEX
 from risorius.errors import InputError
-from risorius.face.fit.arkit_fit import ArkitTrack
+from risorius.face.fit.arkit_track import ArkitTrack
 from risorius.ports.curves.arkit_csv import ArkitTake, rows
 from risorius.ports.table import write_lines
 from tests.profiles import examples

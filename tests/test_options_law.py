@@ -65,7 +65,7 @@ VALUES: dict[str, list[str]] = {
     "listen": ["--listen", "127.0.0.1"],
     "patience": ["--patience", "1"],
     "subject": ["--subject", "me"],
-    "names": ["--names", "arkit"],
+    "stream names": ["--names", "arkit"],
     "without_sound": ["--without-sound"],
     "map_file": ["--map", "x.toml"],
     "perform": ["--perform", "Ah."],
@@ -180,10 +180,15 @@ BESIDE = {
     "transcript": ["--audio", "x.wav"],
     "listen": ["--protocol", "ifacialmocap"],
     "patience": ["--protocol", "ifacialmocap", "--listen", "127.0.0.1"],
-    "names": ["--protocol", "vmc"],
+    "stream names": ["--protocol", "vmc"],
+    "names": ["-o", "x.vrma"],
     "parameter": ["--at", "0"],
 }
 """What an option needs beside it."""
+
+
+def _beside(command: str, name: str) -> list[str]:
+    return BESIDE.get(f"{command} {name}", BESIDE.get(name, []))
 
 
 def _value_of(command: str, option: click.Option) -> list[str]:
@@ -206,7 +211,7 @@ def test_every_option_reaches_what_it_is_for(
 ) -> None:
     def outcome_of(words: list[str], option: click.Option) -> object:
         calls.clear()
-        code = run([*command.split(), *ARGUMENTS[command], *BESIDE.get(str(option.name), []), *words])
+        code = run([*command.split(), *ARGUMENTS[command], *_beside(command, str(option.name)), *words])
         return code, [*calls], capsys.readouterr().out
 
     with all_cases() as case:
@@ -270,7 +275,7 @@ def test_options_that_choose_what_is_performed_change_what_is_written(
 
 CHANGING = {
     **{name: "files" for name, _, _ in ON_FILES},
-    **dict.fromkeys(("protocol", "names", "subject", "to", "listen"), "packets: tests/stream"),
+    **dict.fromkeys(("protocol", "subject", "to", "listen"), "packets: tests/stream"),
     **dict.fromkeys(("map_file", "perform", "output"), "the character: tests/ports/mesh/test_rig.py"),
     "transcript": "words: tests/speech/test_from_recording.py",
     "parameter": "what explain prints",

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from .errors import SpeechWarning as SpeechWarning
     from .errors import UnusedSettingError as UnusedSettingError
     from .errors import warnings_to as warnings_to
-    from .face.fit.arkit_fit import ArkitTrack as ArkitTrack
+    from .face.fit.arkit_track import ArkitTrack as ArkitTrack
     from .face.frame import FaceFrame as FaceFrame
     from .face.head.head import Head as Head
     from .live.frame import LiveFrame as LiveFrame
@@ -122,7 +122,7 @@ _MODULES = {
         "UnusedSettingError",
         "warnings_to",
     ),
-    "face.fit.arkit_fit": ("ArkitTrack",),
+    "face.fit.arkit_track": ("ArkitTrack",),
     "face.frame": ("FaceFrame",),
     "face.head.head": ("Head",),
     "live.frame": ("LiveFrame",),

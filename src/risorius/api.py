@@ -212,6 +212,7 @@ def rig(
     from .face.head.head import head_of
     from .machine.atomic import replacing
     from .ports.mesh.glb_file import save_glb
+    from .ports.mesh.gltf import clip_times
     from .ports.mesh.rig import animated, check_performable, read_rig, report
 
     settings, path = checked(settings), path_of(character)
@@ -225,7 +226,7 @@ def rig(
         take = take if isinstance(take, Take) else take()
         track = ArkitFit(take.head, rig.shapes).track(take.faces())
         with replacing(Path(output)) as path:
-            save_glb(animated(rig, track, take.times), path)
+            save_glb(animated(rig, track, clip_times(take)), path)
     return rig, report(rig, head_of(settings))
 
 

@@ -30,7 +30,7 @@ from .solvers import SolverCache
 if TYPE_CHECKING:
     from .blend import Explanation, Plan, Tally, Trace
     from .core.look import Size
-    from .face.fit.arkit_fit import ArkitTrack
+    from .face.fit.arkit_track import ArkitTrack
     from .face.fit.measure import Gauge
     from .face.frame import FaceFrame
     from .face.head.head import Head
@@ -132,7 +132,8 @@ class Take:
         chosen = self.settings
         transparent = chosen.look.transparent
         draft = chosen.look.quality == "draft"
-        options = WriteOptions(chosen.size, chosen.at, chosen.every, transparent, draft, progress=progress)
+        pictured = chosen.size, chosen.at, chosen.every
+        options = WriteOptions(*pictured, chosen.names, transparent, draft, progress=progress)
         write_targets(self, check_targets(paths), options)
 
     def faces(
@@ -293,7 +294,17 @@ class Take:
         """
         from .face.fit.arkit_fit import ArkitFit
 
-        return ArkitFit.of(self.head).track(self.faces(reuse=True))
+        track = ArkitFit.of(self.head).track(self.faces(reuse=True))
+        return replace(track, times=self.times)
+
+    def emotion_curves(self) -> Array:
+        """Return the muscles of every frame (frames, 46) as emotions alone would move them.
+
+        A performance whose score has no movements of emotions, such as a captured one, has none.
+        """
+        from .blend import emotion_curves
+
+        return emotion_curves(self.score, self.times)
 
     def fit_arkit(self, progress: Progress = quiet) -> ArkitTrack:
         """Return `arkit`; when it is fitted for the first time, report the remaining distances."""

@@ -97,6 +97,8 @@ UNWRITTEN: Mapping[Stage, str] = {
     Stage.PICTURE: "no output is a picture or a video; expected e.g. -o x.mp4",
     Stage.OUTPUT: "no output is a single picture; expected -o x.png",
 }
+UNREAD: Mapping[str, str] = {"names": "no output has expressions of VRM; expected -o x.vrma"}
+"""Reasons of single settings, in place of their stage's."""
 
 
 def chosen(settings: Settings) -> Iterator[str]:
@@ -115,7 +117,8 @@ def reject_unwritten(settings: Settings, formats: Iterable[FileFormat]) -> None:
     table = rows(Settings)
     unused = [n for n in chosen(settings) if n not in names and table[n].entry.stage not in stages]
     if unused:
-        raise UnusedSettingError(unused, UNWRITTEN[table[unused[0]].entry.stage])
+        row = table[unused[0]]
+        raise UnusedSettingError(unused, UNREAD.get(row.name) or UNWRITTEN[row.entry.stage])
 
 
 def values_read(settings: Settings, stage: Stage) -> tuple[object, ...]:

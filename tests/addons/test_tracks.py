@@ -121,7 +121,10 @@ def test_names_are_compared_without_their_spelling(tracks: ModuleType, one: str,
 def test_a_map_is_the_one_that_rig_prints(tracks: ModuleType, tmp_path: Path) -> None:
     path = tmp_path / "map.toml"
     path.write_text('# 1 of 52\n[shapes]\njawOpen = "Mouth_Open"\n')
-    assert tracks.read_map(path) == {"jawOpen": "Mouth_Open"}
-    path.write_text("[shapes]\njawOpen = 5\n")
-    with pytest.raises(tracks.TrackError, match="has no table of names"):
-        tracks.read_map(path)
+    assert tracks.read_map(path) == {"jawOpen": ("Mouth_Open",)}
+    path.write_text('[shapes]\njawOpen = ["Mouth_Open", "Teeth_Open"]\n')
+    assert tracks.read_map(path) == {"jawOpen": ("Mouth_Open", "Teeth_Open")}
+    for wrong in ("5", "[5]"):
+        path.write_text(f"[shapes]\njawOpen = {wrong}\n")
+        with pytest.raises(tracks.TrackError, match="has no table of names"):
+            tracks.read_map(path)

@@ -48,6 +48,7 @@ def test_a_smile_is_inhibited_by_rounding_and_limited_around_it() -> None:
     before, after = trace.limited
     assert before[1] == first - 1
     assert after[0] == last + 1
+    assert repr(trace) == "<Trace of emotion at 401 times, 1 times inhibited, 2 limited>"
 
 
 @examples(10)

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from risorius.core.frame_rate import parse_fps
-from risorius.core.performance import announced, frame_count, frame_times
+from risorius.core.parameters import NAMES
+from risorius.core.performance import Performance, announced, frame_count, frame_times
 from risorius.core.score import Score
 from risorius.errors import InputError
 
@@ -25,6 +26,12 @@ def test_frames_lie_at_k_over_fps() -> None:
     times = frame_times(10.0, fps)
     assert len(times) == frame_count(10.0, fps) == round(10 * fps) + 1
     np.testing.assert_allclose(times, np.arange(len(times)) / float(fps), rtol=1e-15)
+
+
+def test_curves_are_shown_in_one_line() -> None:
+    performance = Performance(Score(1.0), Fraction(30), np.zeros((31, len(NAMES))))
+    assert repr(performance.curves) == "<CurvesByName: 46 curves of 31 frames>"
+    assert repr(performance) == "<Performance of 1.00 s, 31 frames at 30 per second>"
 
 
 ANNOUNCED = ["Combining 108,001 frames (40 MB of curves) …"]

@@ -19,6 +19,7 @@ from risorius.core.score import Score
 from risorius.core.speech.audio import AudioWriter
 from risorius.core.speech.utterance import Phone, Utterance, Word
 from risorius.errors import InputError, ParameterError, RisoriusError, SpeechError, UnusedSettingError
+from risorius.face.fit.expressions import emotion_presets
 from risorius.languages import language_of
 from risorius.live.crossfade import CROSSFADE
 from risorius.live.frame import LiveFrame
@@ -170,6 +171,20 @@ def test_an_idle_face_lives_and_instances_are_apart() -> None:
     calm = np.array([f.values for f in islice(second.frames(), 130)])
     assert np.ptp(calm, axis=0).max() > 0.1
     assert np.abs(smiling - calm).max() > 0.1
+
+
+def test_an_avatar_is_as_happy_as_the_face_feels() -> None:
+    face = Live(Settings(fps=Fraction(10), dynamics="static"))
+    happy = emotion_presets().index("happy")
+    plain = np.array([f.emotion for f in islice(face.frames(), 20)])
+    assert plain.shape == (20, len(emotion_presets()))
+    assert not plain.any()
+    face.feel("happiness", 0.5)
+    face.say("Good evening. ")
+    face.close()
+    glad = np.array([f.emotion for f in face.frames()])
+    assert glad[:, happy].max() == pytest.approx(0.5, abs=0.01)
+    assert np.abs(np.diff(np.vstack([plain, glad]), axis=0)).max() <= 0.1 / CROSSFADE
 
 
 def test_feelings_hold_from_the_next_whole_sentence_on() -> None:

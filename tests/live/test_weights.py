@@ -24,6 +24,9 @@ def test_weights_are_those_of_the_performance() -> None:
     frames = list(live.frames())
     track = speak("Oh, wow.", settings=Settings(lead=CROSSFADE, tail=TAIL)).arkit
     weights = np.array([frame.arkit for frame in frames])
+    for frame, row in zip(frames, weights, strict=True):
+        assert frame.arkit is not None
+        assert frame.arkit["jawOpen"] == row[track.names.index("jawOpen")]
     # Between frames the curves are straight lines, since what comes next is not known.
     assert np.abs(weights - track.weights[: len(weights)]).max() < 0.03
     rotations = np.array([frame.rotations for frame in frames])

@@ -7,7 +7,9 @@ import re
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import nullcontext
+from dataclasses import replace
 from io import BytesIO
+from operator import attrgetter
 from types import SimpleNamespace
 from xml.etree import ElementTree as ET
 
@@ -15,6 +17,7 @@ import numpy as np
 import pytest
 
 import risorius
+from risorius.core.arkit import SHAPES
 from risorius.core.arrays import ByteArray
 from risorius.core.parameters import NAMES
 from risorius.notebook.page import html
@@ -50,13 +53,16 @@ def test_the_curves_that_move_most_are_shown_without_their_sides(clip: risorius.
     np.testing.assert_allclose(shown["zygomatic_major"], np.mean(sides, axis=0))
 
 
-@pytest.mark.parametrize(("call", "package"), [("to_pandas", "pandas"), ("plot", "matplotlib.figure")])
+@pytest.mark.parametrize(
+    ("call", "package"),
+    [("to_pandas", "pandas"), ("arkit.to_pandas", "pandas"), ("plot", "matplotlib.figure")],
+)
 def test_a_package_that_is_missing_is_named(
     call: str, package: str, clip: risorius.Take, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(sys.modules, package, None)
     with pytest.raises(risorius.RisoriusError, match=r"needs (\w+); run pip install \1$"):
-        getattr(clip, call)()
+        attrgetter(call)(clip)()
 
 
 def test_the_table_is_given_times_values_and_names(
@@ -80,6 +86,24 @@ def test_a_data_frame_of_pandas_is_that_table(clip: risorius.Take) -> None:
     assert frame.shape == clip.performance.values.shape
     np.testing.assert_array_equal(frame["masseter"], clip.curves["masseter"])
     assert frame.index.name == "time_s"
+
+
+def test_weights_have_names_and_are_a_table(clip: risorius.Take) -> None:
+    weights = clip.arkit.weights
+    assert clip.arkit.names == SHAPES
+    np.testing.assert_array_equal(clip.arkit["jawOpen"], weights[:, SHAPES.index("jawOpen")])
+    with pytest.raises(risorius.RisoriusError, match="did you mean 'jawOpen'"):
+        clip.arkit["jawOpne"]
+    pytest.importorskip("pandas")
+    frame = clip.arkit.to_pandas()
+    assert list(frame.columns) == list(SHAPES)
+    assert frame.index.name == "time_s"
+    np.testing.assert_array_equal(frame.index, clip.times)
+    np.testing.assert_array_equal(frame.to_numpy(), weights)
+    frame.loc[:, "jawOpen"] = 2.0
+    assert clip.arkit["jawOpen"].max() <= 1.0
+    alone = replace(clip.arkit, times=None).to_pandas()
+    assert (alone.index.name, list(alone.index)) == ("frame", list(range(len(weights))))
 
 
 def test_the_figure_has_sound_curves_head_and_channels(clip: risorius.Take) -> None:

@@ -22,7 +22,7 @@ from risorius.ports.export_source import WritableTake
 
 if TYPE_CHECKING:
     from risorius.core.lips.lip_rig import LipRig
-    from risorius.face.fit.arkit_fit import ArkitTrack
+    from risorius.face.fit.arkit_track import ArkitTrack
     from risorius.face.head.head import Head
 
 TakeMaker = Callable[..., WritableTake]
@@ -69,6 +69,9 @@ class SmallTake:
 
     def measures(self, frame: Any) -> Array:
         return np.full(self.measure_count, float(frame))
+
+    def emotion_curves(self) -> Array:
+        return np.tile(NEUTRAL, (len(self.performance.values), 1))
 
     def fit_arkit(self, progress: Progress = quiet) -> ArkitTrack:
         raise AssertionError("a small take has no head")

@@ -13,14 +13,16 @@ from .tracks import Track, plain
 ACTION = "Risorius performance"
 
 
-def insert_shape_keys(track: Track, objects: list, first: float, names: dict[str, str] | None = None) -> int:
+def insert_shape_keys(
+    track: Track, objects: list, first: float, names: dict[str, tuple[str, ...]] | None = None
+) -> int:
     """Key the shape keys of objects; return how many values of the track found a key.
 
-    `first`: the scene's frame at which the track begins. `names`: the shape key of a value whose own name is
+    `first`: the scene's frame at which the track begins. `names`: the shape keys of a value whose own name is
     another. Keys that the track does not name stay as they are.
     """
-    mapped = {plain(name): key for name, key in (names or {}).items()}
-    wanted = {plain(mapped.get(plain(name), name)): name for name in track.values}
+    mapped = {plain(name): keys for name, keys in (names or {}).items()}
+    wanted = {plain(key): name for name in track.values for key in mapped.get(plain(name), (name,))}
     found = set()
     for data in {item.data.shape_keys for item in objects if _has_keys(item)}:
         matching = {key.name: wanted[plain(key.name)] for key in data.key_blocks if plain(key.name) in wanted}

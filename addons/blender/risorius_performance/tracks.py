@@ -50,15 +50,17 @@ def read_track(path: Path) -> Track:
     raise TrackError(f"{path.name}: is not a performance; expected .arkit.csv or .performance.json")
 
 
-def read_map(path: Path) -> dict[str, str]:
-    """Return the shape key of each ARKit shape or muscle, from the map that `risorius rig` prints."""
+def read_map(path: Path) -> dict[str, tuple[str, ...]]:
+    """Return the shape keys of each ARKit shape or muscle, from the map that `risorius rig` prints."""
     try:
         table = tomllib.loads(path.read_text(encoding="utf-8")).get("shapes")
     except (OSError, ValueError) as error:
         raise TrackError(f"{path.name}: cannot be read: {error}") from error
-    if not isinstance(table, dict) or not all(isinstance(name, str) for name in table.values()):
-        raise TrackError(f'{path.name}: has no table of names; expected [shapes] jawOpen = "Mouth_Open"')
-    return table
+    if isinstance(table, dict):
+        lists = {name: [keys] if isinstance(keys, str) else keys for name, keys in table.items()}
+        if all(isinstance(keys, list) and all(isinstance(k, str) for k in keys) for keys in lists.values()):
+            return {name: tuple(keys) for name, keys in lists.items()}
+    raise TrackError(f'{path.name}: has no table of names; expected [shapes] jawOpen = "Mouth_Open"')
 
 
 def plain(name: str) -> str:

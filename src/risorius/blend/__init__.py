@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from .emotion_curves import emotion_curves
 from .explain import explain
 from .explanation import Contribution, Explanation
 from .incremental import changed_span, recombine
@@ -12,5 +13,6 @@ from .traces import Trace, traces
 
 __all__ = [
     "Contribution", "Explanation", "Plan", "Tally", "Trace",
-    "at", "changed_span", "combine", "explain", "recombine", "summarize", "suppression", "traces",
+    "at", "changed_span", "combine", "emotion_curves", "explain", "recombine", "summarize",
+    "suppression", "traces",
 ]  # fmt: skip

@@ -29,6 +29,11 @@ class Trace:
     requested: Array
     applied: Array
 
+    def __repr__(self) -> str:
+        """Return one line: the channel, and how often it is inhibited or limited."""
+        held_back = f"{len(self.inhibited)} times inhibited, {len(self.limited)} limited"
+        return f"<Trace of {self.channel} at {len(self.requested)} times, {held_back}>"
+
     @property
     def inhibited(self) -> tuple[IndexRun, ...]:
         """Runs [first, last] of indices at which something is requested and nothing is applied."""

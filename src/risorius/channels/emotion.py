@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from ..core.action_units import check_intensity
-from ..core.channels import channel_timing
+from ..core.channels import POSTURE_LAYER, channel_timing
 from ..core.movement import Cause, Movement
 from ..core.parameters import INDEX, PARAMETERS, Kind
 from ..errors import InputError
@@ -39,7 +39,7 @@ def _posture(inputs: ChannelInputs) -> Iterator[Movement]:
     if face:
         yield Movement(
             "emotion", 0.0, inputs.duration, 0.0, 0.0, face,
-            id=POSTURE, layer="posture", function=channel_timing("emotion").function,
+            id=POSTURE, layer=POSTURE_LAYER, function=channel_timing("emotion").function,
             cause=Cause(POSTURE, inputs.profile.name),
         )  # fmt: skip
 

@@ -11,6 +11,7 @@ from itertools import count
 from statistics import fmean
 
 from ..core.action_units import resolve_targets
+from ..core.channels import POSTURE_LAYER
 from ..core.counter_rng import CounterRng
 from ..core.movement import Cause, Movement
 from ..core.parameters import INDEX, PARAMETERS
@@ -56,7 +57,8 @@ def _posture(inputs: ChannelInputs) -> Iterator[Movement]:
     if targets:
         yield Movement(
             "head", 0.0, inputs.duration, 0.0, 0.0, with_eyes(targets),
-            id=POSTURE, layer="posture", function="minimum_jerk", cause=Cause(POSTURE, inputs.profile.name),
+            id=POSTURE, layer=POSTURE_LAYER, function="minimum_jerk",
+            cause=Cause(POSTURE, inputs.profile.name),
         )  # fmt: skip
 
 

@@ -28,7 +28,9 @@ def tell_rig(rig: Rig, rows: Sequence[MuscleCoverage], *, guessed: bool) -> Iter
     """Yield lines on what a character can show; a guessed map is shown as TOML, to correct and give back."""
     yield f"# {len(rig.shapes)} of 52 ARKit shapes{' by name; correct wrong ones' if guessed else ''}"
     yield "[shapes]"
-    yield from (f"{shape} = {json.dumps(target, ensure_ascii=False)}" for shape, target in rig.shapes.items())
+    for shape, targets in rig.shapes.items():
+        named = targets[0] if len(targets) == 1 else targets
+        yield f"{shape} = {json.dumps(named, ensure_ascii=False)}"
     yield ""
     if rig.missing:
         yield f"# missing: {', '.join(rig.missing)}"

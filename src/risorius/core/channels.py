@@ -15,6 +15,9 @@ from ..errors import ParameterError, unknown
 from .functions import ONSET_FUNCTIONS
 from .registry import Registry, registrations
 
+POSTURE_LAYER = "posture"
+"""The layer of what a speaker always shows: it tells nothing of what is said or felt."""
+
 
 @dataclass(frozen=True, slots=True)
 class ChannelTiming:

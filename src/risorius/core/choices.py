@@ -51,6 +51,15 @@ LIP_MODELS = ("effort", "dominance", "lookahead")
 BLINK_MODELS = ("natural", "itti", "pelachaud", "none")
 MANNERS = ("plain", "whisper", "murmur", "shout")
 EXPRESSIONS = ("felt", "posed")
+EXPRESSION_NAMES: Mapping[str, str] = MappingProxyType(
+    {
+        "vrm0": "VRM's presets, for avatars of VRM 0",
+        "vrm1": "for those of VRM 1",
+        "arkit": "the 52 shapes, for Perfect Sync",
+        "ARKit": "these with capitals",
+    }
+)
+"""The sets of expressions of a VRM avatar, of which one is sent or written."""
 DYNAMICS: Mapping[str, str] = MappingProxyType(
     {"springs": "with inertia", "biphasic": "stiffer under strain", "static": ""}
 )

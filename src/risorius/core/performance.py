@@ -22,6 +22,10 @@ MANY_FRAMES = 54_000
 class CurvesByName(dict[str, Array]):
     """Curves by the names of their parameters; ParameterError, with the nearest, for an unknown name."""
 
+    def __repr__(self) -> str:
+        """Return one line: how many curves there are, and of how many frames."""
+        return f"<CurvesByName: {len(self)} curves of {len(next(iter(self.values()), ()))} frames>"
+
     def __missing__(self, name: str) -> Array:
         raise ParameterError(unknown("parameter", str(name), NAMES))
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..core.arrays import Array
 from ..core.parameters import PARAMETERS
+from ..face.fit.expressions import emotion_presets
 
 CROSSFADE = 0.15
 """Seconds in which the face passes from one stretch to the next: an interrupted mouth shuts within .2 s."""
@@ -22,6 +23,7 @@ class CrossFade:
         self._fps = fps
         self._from: Array | None = None
         self._at = 0
+        self._emotion: Array = np.zeros(len(emotion_presets()))
 
     def start(self, last: Array | None, frame: int) -> None:
         """Leave the values (parameters,) of the frame shown last, from `frame` on."""
@@ -45,3 +47,9 @@ class CrossFade:
         before = self._from[min(since, len(self._from) - 1)]
         blended: Array = before + weight * (values - before)
         return blended
+
+    def approached(self, emotion: Array) -> Array:
+        """Return a frame's presets of emotion (4,), which pass to the next stretch as fast as the face."""
+        most = float(1 / self._fps) / CROSSFADE
+        self._emotion = self._emotion + np.clip(emotion - self._emotion, -most, most)
+        return self._emotion

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from ..core.arrays import Array
 from ..core.parameters import NAMES
+from ..core.shape_weights import ShapeWeights
 from ..core.speech.audio import Samples
 
 
@@ -15,8 +16,10 @@ class LiveFrame:
 
     `sound`: its samples at `sample_rate`, int16. `text`: the sentence that is being said, "" between them.
     `speaking`: whether something is played, its pauses included.
-    If they were asked for, `arkit`: weights (52,) 0..1 in the order of `core.arkit.SHAPES`; and `rotations`:
+    If they were asked for, `arkit`: weights (52,) 0..1 in the order of its `names`, by which it can be read,
+    too (`frame.arkit["jawOpen"]`); and `rotations`:
     yaw, pitch and roll of head, left and right eye (9,) in radians, to the subject's left, up, tilted left.
+    `emotion`: the weights (4,) 0..1 of VRM's presets that emotions alone move.
     """
 
     index: int
@@ -26,8 +29,9 @@ class LiveFrame:
     sample_rate: int
     text: str = ""
     speaking: bool = False
-    arkit: Array | None = None
+    arkit: ShapeWeights | None = None
     rotations: Array | None = None
+    emotion: Array | None = None
 
     def __repr__(self) -> str:
         """Return one line: its number, its time and its sentence."""

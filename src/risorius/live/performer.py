@@ -13,6 +13,7 @@ import numpy as np
 from ..core.arrays import Array
 from ..core.speech.audio import Samples
 from ..errors import warnings_to
+from ..face.fit.expressions import emotion_weights
 from ..pipeline import perform
 from ..rules.emotions import Displays
 from ..script import read_script
@@ -54,10 +55,12 @@ def language_spoken(settings: Settings) -> str:
 @dataclass(frozen=True, slots=True)
 class Played:
     """The playback of a take: the parameters' values (frames, parameters), its sound, and the second and the
-    character at which each word begins. `sample_rate` is None without sound.
+    character at which each word begins. `sample_rate` is None without sound. `emotion`: the weights of VRM's
+    presets that emotions alone move, (frames, 4).
     """
 
     values: Array
+    emotion: Array
     samples: Samples
     sample_rate: int | None
     words: tuple[tuple[float, int], ...]
@@ -70,7 +73,8 @@ def played(take: Take) -> Played:
         samples, rate = take.audio.read(), take.audio.sample_rate
     words_said = () if take.utterance is None else take.utterance.words
     words = tuple((word.start, word.source_start) for word in words_said)
-    return Played(take.performance.values, samples, rate, words)
+    emotion = emotion_weights(take.emotion_curves())
+    return Played(take.performance.values, emotion, samples, rate, words)
 
 
 class TurnPerformer(Protocol):

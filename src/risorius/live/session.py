@@ -274,7 +274,8 @@ class Live:
         values = self._looking.shown(values, index)
         text = stretch.sentence_at(float((index - stretch.first) / fps))
         speaking = bool(stretch.sentences)
-        frame = LiveFrame(index, float(index / fps), values, sound, rate, text, speaking)
+        emotion = self._crossfade.approached(stretch.emotion[index - stretch.first])
+        frame = LiveFrame(index, float(index / fps), values, sound, rate, text, speaking, emotion=emotion)
         return frame if self._weights is None else self._weights.added(frame)
 
     def _current(self) -> LiveStretch | None:

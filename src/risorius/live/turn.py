@@ -32,7 +32,8 @@ PREROLL = 1.0
 
 @dataclass(frozen=True, slots=True)
 class LiveStretch:
-    """A stretch that is played: values (frames, parameters) and samples, from the face's frame `first` on.
+    """A stretch that is played: values (frames, parameters), presets of emotion (frames, 4) and samples, from
+    the face's frame `first` on.
 
     `sentences`: those that are said, possibly none; `spoken`: their text, and as `labels` that of each.
     `starts`: seconds at which each begins. `words`: seconds and first character of each. `is_full`: nothing
@@ -41,6 +42,7 @@ class LiveStretch:
 
     first: int
     values: Array
+    emotion: Array
     samples: Samples
     sample_rate: int
     sentences: tuple[LiveSentence, ...] = ()
@@ -128,6 +130,7 @@ class TurnPlan:
             replace(
                 playing,
                 values=longer.values[:frames],
+                emotion=longer.emotion[:frames],
                 samples=longer.samples[:samples],
                 is_full=True,
             )
@@ -176,6 +179,7 @@ def stretch_of(
     return LiveStretch(
         first,
         played.values,
+        played.emotion,
         played.samples,
         played.sample_rate or rate,
         sentences,

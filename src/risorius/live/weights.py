@@ -17,6 +17,7 @@ import numpy as np
 
 from ..core.arrays import Array
 from ..core.parameters import INDEX
+from ..core.shape_weights import named_weights
 from ..face.fit.arkit_fit import NO_WAY, ArkitFit
 from ..face.frame import FaceFrame
 from ..face.head.eyes import pitch_and_yaw
@@ -56,7 +57,8 @@ class LiveWeights:
             weights, self._way = self._solvers.fit.following(face, self._way)
         head = frame.values[_HEAD]
         eyes = [(yaw, pitch, 0.0) for pitch, yaw in map(pitch_and_yaw, face.eye_rotation)]
-        return replace(frame, arkit=weights, rotations=np.radians(np.concatenate([head, *eyes])))
+        rotations = np.radians(np.concatenate([head, *eyes]))
+        return replace(frame, arkit=named_weights(weights), rotations=rotations)
 
     def _face(self, solver: FaceSolver, time: Fraction, values: Array) -> FaceFrame:
         if self._springs is None:

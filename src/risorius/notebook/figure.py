@@ -9,8 +9,9 @@ import numpy as np
 from ..core.parameters import BASES, parameters_named
 from ..core.performance import Performance
 from ..core.speech.utterance import Utterance
+from ..machine.optional import optional
 from ..render.overlay.lanes import lane_blocks
-from .shown_take import ShownTake, liveliest, optional
+from .shown_take import ShownTake, liveliest
 
 _INCHES = 11.0
 _MOST_POINTS = 4_000  # of the sound's outline

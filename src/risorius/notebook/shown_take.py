@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 
@@ -12,7 +11,6 @@ from ..core.parameters import BASES, INDEX, Kind
 from ..core.performance import Performance
 from ..core.speech.audio import Audio
 from ..core.speech.utterance import Utterance
-from ..errors import RisoriusError
 
 MOST = 8  # curves of a figure
 _LEAST = 0.05  # that a curve moves, to be shown
@@ -46,11 +44,3 @@ def liveliest(performance: Performance) -> dict[str, Array]:
     moved = sorted(((float(np.ptp(curve)), name) for name, curve in means.items()), reverse=True)
     kept = {name for range_, name in moved[:MOST] if range_ >= _LEAST}
     return {name: curve for name, curve in means.items() if name in kept}
-
-
-def optional(module: str, package: str) -> Any:
-    """Return a module of a package that need not be installed; raise RisoriusError if it is not."""
-    try:
-        return import_module(module)
-    except ImportError:
-        raise RisoriusError(f"needs {package}; run pip install {package}") from None

@@ -6,7 +6,7 @@ from typing import Any
 
 from ..core.parameters import NAMES
 from ..core.performance import Performance
-from .shown_take import optional
+from ..machine.optional import optional
 
 
 def data_frame(performance: Performance) -> Any:

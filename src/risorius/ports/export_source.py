@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from ..core.performance import Performance
     from ..core.speech.audio import Audio
     from ..core.speech.utterance import Utterance
-    from ..face.fit.arkit_fit import ArkitTrack
+    from ..face.fit.arkit_track import ArkitTrack
     from ..face.frame import FaceFrame
     from ..face.head.head import Head
 
@@ -63,6 +63,9 @@ class WritableTake(Protocol):
     def measures(self, frame: FaceFrame) -> Sequence[float] | Array:
         """Return the numbers of `landmarks_csv.COLUMNS` after `time_s`, in that order."""
 
+    def emotion_curves(self) -> Array:
+        """Return the muscles of every frame (frames, 46) as emotions alone would move them."""
+
     def fit_arkit(self, progress: Progress = quiet) -> ArkitTrack:
         """Return the performance as ARKit weights, fitted once; HeadError if the head has no such shapes."""
 
@@ -72,7 +75,8 @@ class WriteOptions:
     """The options of outputs.
 
     `size`: width and height of pictures in pixels. `at`: the time in seconds of a single picture, None for
-    the middle; `every`: a contact sheet of every n-th frame instead. `alpha`: pictures have an alpha
+    the middle; `every`: a contact sheet of every n-th frame instead. `names`: the set of expressions of a VRM
+    avatar, one of `core.choices.EXPRESSION_NAMES`. `alpha`: pictures have an alpha
     channel; `draft`: films should rather be made soon than be small. `voice`: the sound file that a score
     refers to, None without one. `progress` is called as the frames are made.
     """
@@ -80,6 +84,7 @@ class WriteOptions:
     size: Size = (720, 720)
     at: float | None = None
     every: int | None = None
+    names: str = "vrm1"
     alpha: bool = False
     draft: bool = False
     voice: Path | None = None

@@ -50,6 +50,7 @@ class Group(StrEnum):
     MODELS = "Models"
     TIME = "Time and chance"
     PICTURE = "Picture"
+    AVATAR = "Avatar"
 
 
 class ValueKind(StrEnum):

@@ -296,6 +296,10 @@ class Settings(metaclass=Named):
         metavar="S", low=0.0, high=MAX_SECONDS, unset="the middle")
     every: int | None = _output(
         "Every", None, "Make each .png a sheet of every N-th frame.", metavar="N", low=1, high=1_000_000)
+    names: str = setting(
+        Stage.OUTPUT, Group.AVATAR, "Expressions of a .vrma", "vrm1",
+        "Expressions in a .vrma: {names}.",
+        metavar="SET", names=choices.EXPRESSION_NAMES, what="set of names")
     look: Look = field(default_factory=Look)
     blend: BlendChoices = field(default_factory=BlendChoices)
 

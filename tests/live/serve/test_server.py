@@ -36,7 +36,9 @@ from .running import Client, Running, running, sound_of, unpacked
 TOKEN = "a token of some length"
 SAID = "Hi. "
 RIG = Rig(
-    GlbFile(Path("x.glb"), {}, b""), {0: ("open", "left")}, {"jawOpen": "open", "mouthSmileLeft": "left"}
+    GlbFile(Path("x.glb"), {}, b""),
+    {0: ("open", "left")},
+    {"jawOpen": ("open",), "mouthSmileLeft": ("left",)},
 )
 
 

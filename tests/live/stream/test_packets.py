@@ -11,8 +11,8 @@ import pytest
 
 from risorius.core.arkit import INDEX, SHAPES
 from risorius.errors import InputError
-from risorius.face.fit.arkit_fit import ArkitTrack
-from risorius.face.fit.expressions import expressions, preset_weights
+from risorius.face.fit.arkit_track import ArkitTrack
+from risorius.face.fit.expressions import emotion_presets, expressions, preset_weights
 from risorius.live.stream import PROTOCOLS, ArkitMoment, Options
 from risorius.live.stream.osc import bundles, message
 
@@ -170,3 +170,21 @@ def test_presets_follow_their_shapes() -> None:
     assert found["aa"] == pytest.approx(0.9)
     assert found["blinkLeft"] == 1.0
     assert found["happy"] == found["blinkRight"] == 0.0
+
+
+@pytest.mark.parametrize("names", ["vrm0", "vrm1"])
+def test_vmc_s_presets_have_the_emotion_alone(track: ArkitTrack, names: str) -> None:
+    """Weights of a smile come from speech, too: an avatar's `happy` may shut its mouth."""
+    packets = PROTOCOLS.get("vmc").make(FPS, Options(names=names))
+    happy = "Joy" if names == "vrm0" else "happy"
+    emotion = np.eye(len(emotion_presets()))[emotion_presets().index("happy")]
+    for felt, expected in ((None, 0.0), (0.7 * emotion, 0.7)):
+        moment = ArkitMoment(0, np.ones(52), track.head[0], track.eyes[0], 0.0, felt)
+        values = {
+            str(a[0]): a[1]
+            for packet in packets(moment)
+            for address, a in osc_messages(packet)
+            if address == "/VMC/Ext/Blend/Val"
+        }
+        assert values[happy] == pytest.approx(expected)
+        assert len(values) == len(expressions())

@@ -12,7 +12,8 @@ from risorius.errors import InputError, RisoriusError
 from risorius.face.fit.arkit_fit import ArkitFit
 from risorius.ports.mesh.glb_file import read_glb
 from risorius.ports.mesh.gltf import Gltf
-from risorius.ports.mesh.rig import guess_map, read_rig
+from risorius.ports.mesh.rig import read_rig
+from risorius.ports.mesh.shape_names import guess_map
 from risorius.take import Take
 
 
@@ -163,15 +164,56 @@ def test_wrong_maps_are_named(tmp_path: Path) -> None:
         ("eyeBlink_R", "eyeBlinkRight"),
         ("blendShape1.mouthSmile_L", "mouthSmileLeft"),
         ("mouthSmileLft", "mouthSmileLeft"),
+        ("eyeBlink.L", "eyeBlinkLeft"),
+        ("mouthSmile.R", "mouthSmileRight"),
+        ("Mouth_Smile.right", "mouthSmileRight"),
+        ("blendShape1.eyeBlink.L", "eyeBlinkLeft"),
+        ("jawOpen.001", "jawOpen"),
+        ("Head_jawOpen", "jawOpen"),
     ],
 )
 def test_names_are_guessed(target: str, shape: str) -> None:
-    assert guess_map([target]) == {shape: target}
+    assert guess_map([target]) == {shape: (target,)}
 
 
 def test_sides_are_never_mixed_up() -> None:
-    assert guess_map(["mouthSmileRight"]) == {"mouthSmileRight": "mouthSmileRight"}
+    assert guess_map(["mouthSmileRight"]) == {"mouthSmileRight": ("mouthSmileRight",)}
     assert guess_map(["viseme_PP", "noseHair"]) == {}
+
+
+def test_each_mesh_may_spell_names_its_own_way() -> None:
+    """Maya writes the node's name before the target's."""
+    teeth, skin = (
+        ["blendShape1.jawOpen", "blendShape1.dirt"],
+        ["blendShape5.eyeBlink_L", "blendShape5.jawOpen"],
+    )
+    assert guess_map(teeth, skin, ["jawOpen"]) == {
+        "eyeBlinkLeft": ("blendShape5.eyeBlink_L",),
+        "jawOpen": ("blendShape1.jawOpen", "blendShape5.jawOpen", "jawOpen"),
+    }
+
+
+@pytest.mark.parametrize("spelled", ["{} ", "face:{}", "blendShape2.{}", "CC_Base_{}", "Head_{}"])
+@pytest.mark.parametrize(
+    "sides", [("Left", "Right"), (".L", ".R"), ("_l", "_r"), (".Left", ".Right"), ("_LFT", "_RGT")]
+)
+def test_all_shapes_are_found_however_they_are_spelled(spelled: str, sides: tuple[str, str]) -> None:
+    def own(shape: str) -> str:
+        for side, other in zip(("Left", "Right"), sides, strict=True):
+            if shape.endswith(side) and shape not in ("jawLeft", "jawRight", "mouthLeft", "mouthRight"):
+                return shape.removesuffix(side) + other
+        return shape
+
+    names = [spelled.format(own(shape)) for shape in SHAPES]
+    assert guess_map(names) == {shape: (name,) for shape, name in zip(SHAPES, names, strict=True)}
+
+
+def test_a_prefix_counts_only_if_several_shapes_have_it() -> None:
+    assert guess_map(["fix_jawOpen", "age", "jawOpen"]) == {"jawOpen": ("jawOpen",)}
+    assert guess_map(["fix_jawOpen", "fix_mouthClose", "jawOpen", "mouthClose"]) == {
+        "jawOpen": ("jawOpen",),
+        "mouthClose": ("mouthClose",),
+    }
 
 
 def test_the_report_says_what_is_shown_and_what_not(tmp_path: Path) -> None:
@@ -202,6 +244,84 @@ def test_the_character_performs(tmp_path: Path, clip: Take) -> None:
     np.testing.assert_allclose(weights[:, 2], fitted[:, INDEX["jawOpen"]], atol=1e-6)
     assert np.ptp(weights[:, 2]) > 0.1
     assert json.loads(json.dumps(file.document)) == file.document
+
+
+def test_every_target_of_a_shape_is_driven_and_others_rest(tmp_path: Path, clip: Take) -> None:
+    gltf = Gltf(generator="test")
+    points = np.eye(3, dtype=np.float32)
+    for names, weights in (
+        (["teeth.jawOpen", "teeth.long"], [0.0, 0.25]),
+        (["skin.identity", "skin.jawOpen"], [0.6, 0.0]),
+    ):
+        target = {"POSITION": gltf.accessor(points)}
+        primitive = {
+            "attributes": {"POSITION": gltf.accessor(points)},
+            "targets": [target] * 2,
+            "extras": {"targetNames": names},  # as UniVRM writes them
+        }
+        gltf.add("meshes", {"primitives": [primitive], "weights": weights})
+    for node in ({"mesh": 0}, {"mesh": 1}, {"mesh": 1, "weights": [0.9, 0.0]}):
+        gltf.add("nodes", node)
+    gltf.save(tmp_path / "x.glb")
+    rig(tmp_path / "x.glb", take=clip, output=tmp_path / "y.glb")
+    file = read_glb(tmp_path / "y.glb")
+    (animation,) = file.document["animations"]
+    curves = []
+    for channel in animation["channels"]:
+        accessor = file.document["accessors"][animation["samplers"][channel["sampler"]]["output"]]
+        view = file.document["bufferViews"][accessor["bufferView"]]
+        curves.append(np.frombuffer(file.binary, "<f4", accessor["count"], view["byteOffset"]).reshape(-1, 2))
+    teeth, skin, other = curves
+    fitted = ArkitFit(clip.head, ["jawOpen"]).track(clip.faces()).weights[:, INDEX["jawOpen"]]
+    assert np.ptp(fitted) > 0.1
+    for driven in (teeth[:, 0], skin[:, 1], other[:, 1]):
+        np.testing.assert_allclose(driven, fitted, atol=1e-6)
+    for still, weight in ((teeth[:, 1], 0.25), (skin[:, 0], 0.6), (other[:, 0], 0.9)):
+        np.testing.assert_allclose(still, weight, atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("weights", "message"),
+    [
+        ([0.5], "2 morph targets and 1 weights"),
+        ("x", "not a list of numbers"),
+        (["x", 1], "not a list of numbers"),
+    ],
+)
+def test_resting_weights_that_are_wrong_are_named(
+    tmp_path: Path, clip: Take, weights: object, message: str
+) -> None:
+    mesh = {
+        "primitives": [{"targets": [{}] * 2}],
+        "extras": {"targetNames": ["jawOpen", "x"]},
+        "weights": weights,
+    }
+    (tmp_path / "x.glb").write_bytes(glb({"meshes": [mesh], "nodes": [{"mesh": 0}]}))
+    with pytest.raises(InputError, match=message):
+        rig(tmp_path / "x.glb", take=clip, output=tmp_path / "y.glb")
+    assert not (tmp_path / "y.glb").exists()
+
+
+def test_a_map_may_name_several_targets(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = character(tmp_path / "x.glb", ["Auf", "Zu", "Oben"])
+    (tmp_path / "map.toml").write_text('[shapes]\njawOpen = ["Auf", "Oben"]\nmouthClose = "Zu"\n')
+    found = read_rig(path, tmp_path / "map.toml")
+    assert found.shapes == {"jawOpen": ("Auf", "Oben"), "mouthClose": ("Zu",)}
+    assert run(["rig", str(path), "--map", str(tmp_path / "map.toml")]) == 0
+    (tmp_path / "again.toml").write_text(capsys.readouterr().out)
+    assert read_rig(path, tmp_path / "again.toml").shapes == found.shapes
+    for wrong, message in (('["Auf", "Unten"]', "unknown morph target 'Unten'"), ("[]", "the list is empty")):
+        (tmp_path / "map.toml").write_text(f"[shapes]\njawOpen = {wrong}\n")
+        with pytest.raises(InputError, match=message):
+            read_rig(path, tmp_path / "map.toml")
+
+
+def test_a_rig_is_shown_in_one_line(tmp_path: Path, clip: Take) -> None:
+    clip.write(tmp_path / "x.rig.glb")
+    result = rig(tmp_path / "x.rig.glb")
+    assert repr(result[0]) == f"<Rig x.rig.glb: 52 of 52 ARKit shapes on {len(result[0].targets)} meshes>"
+    assert len(repr(result[0].file)) < 100
+    assert len(repr(result)) < 10_000
 
 
 def test_our_own_rig_is_whole(tmp_path: Path, clip: Take) -> None:

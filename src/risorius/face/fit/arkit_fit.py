@@ -10,7 +10,6 @@ that are far off.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice
 from typing import NamedTuple
@@ -28,6 +27,7 @@ from ..head.head import Head
 from ..numerics.nonnegative import least_squares
 from ..numerics.robust_fit import FAR, RobustFit, lengths, within_leeway
 from .arkit_direct import DIRECT, direct_weights
+from .arkit_track import ArkitTrack
 from .shapes import ArkitShapes, arkit_shapes
 
 # Shares of the mean square of a shape that keep nearly parallel and opposed shapes from cancelling each
@@ -42,40 +42,6 @@ MOVED = 0.3  # mm: a vertex counts in the residual if some shape moves it farthe
 NO_WAY = np.zeros(len(SHAPES))
 _JAW, _CLOSE = INDEX["jawOpen"], INDEX["mouthClose"]
 _EXCLUSIVE = np.array([[INDEX[name] for name in pair] for pair in EXCLUSIVE])
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class ArkitTrack:
-    """A performance in ARKit's terms, frame by frame.
-
-    weights  (frames, 52) 0..1 in the order of `core.arkit.SHAPES`
-    head     (frames, 3) yaw, pitch, roll of the head in degrees: to the subject's left, up, tilted left
-    eyes     (frames, 2, 3) the same of the left and the right eye in the head; no roll
-    rms      (frames,) mm between the weights' skin and the face, over the vertices that shapes move
-    worst    (frames,) mm of the vertex that fits worst
-    """
-
-    weights: Array
-    head: Array
-    eyes: Array
-    rms: Array
-    worst: Array
-
-    def __repr__(self) -> str:
-        """Return one line: the number of frames, and the distances that the weights leave."""
-        rms, worst = self.residual
-        return f"<ArkitTrack of {len(self.weights)} frames, {rms:.2f} mm off, at worst {worst:.1f} mm>"
-
-    @property
-    def rotations(self) -> Array:
-        """Yaw, pitch and roll of head, left and right eye (frames, 9) in radians."""
-        angles = np.concatenate([self.head[:, None], self.eyes], axis=1)
-        return np.asarray(np.radians(angles).reshape(len(angles), -1))
-
-    @property
-    def residual(self) -> tuple[float, float]:
-        """The root mean square over all frames and the worst vertex, in mm."""
-        return float(np.sqrt((self.rms**2).mean())), float(self.worst.max())
 
 
 class ArkitFit:

@@ -38,7 +38,7 @@ class FrameLayout:
     """
 
     def __init__(self, outputs: Sequence[Output], rig: Rig | None = None) -> None:
-        shapes = {target: shape for shape, target in rig.shapes.items()} if rig else {}
+        shapes = rig.shape_of if rig else {}
         names = {
             Output.PARAMETERS: NAMES,
             Output.ARKIT: SHAPES,

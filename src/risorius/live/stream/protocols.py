@@ -7,10 +7,11 @@ from dataclasses import dataclass, field, fields
 from fractions import Fraction
 
 from ...core.arrays import Array
+from ...core.choices import EXPRESSION_NAMES
 from ...core.registry import Registry
 from ...errors import InputError, UnusedSettingError, unknown
 
-NAMES = ("vrm0", "vrm1", "arkit", "ARKit")
+NAMES = tuple(EXPRESSION_NAMES)
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,12 +48,16 @@ class Options:
 class ArkitMoment:
     """A frame in ARKit's terms: its `index`, weights (52,), and the rotations of head (3,) and eyes (2, 3) in
     degrees, as in `ArkitTrack`.
+
+    For VRM's presets also the parameter `lip_seal`, and the weights (4,) of those that emotions alone move.
     """
 
     index: int
     weights: Array
     head: Array
     eyes: Array
+    seal: float = 0.0
+    emotion: Array | None = None
 
 
 Packets = Callable[[ArkitMoment], Sequence[bytes]]

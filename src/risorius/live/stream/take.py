@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ...core.progress import Progress, quiet
+from ...face.fit.expressions import emotion_weights
 from ...take import Take
 from . import clock
 from .protocols import ArkitMoment, Options
@@ -39,8 +40,11 @@ def send_take(
     frames, fps = len(take.performance.values), take.performance.fps
     packets = line.protocol.make(fps, line.options)
 
+    seal, emotion = take.performance["lip_seal"].tolist(), emotion_weights(take.emotion_curves())
+
     def packets_of(index: int) -> Sequence[bytes]:
-        return packets(ArkitMoment(index, track.weights[index], track.head[index], track.eyes[index]))
+        turns = track.head[index], track.eyes[index]
+        return packets(ArkitMoment(index, track.weights[index], *turns, seal[index], emotion[index]))
 
     progress(f"Sending to {line.address} …")
     return send(packets_of, frames, fps, line.address, timer, tcp=line.protocol.tcp)

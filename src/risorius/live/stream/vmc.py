@@ -32,7 +32,7 @@ def vmc_packets(fps: Fraction, options: Options) -> Packets:
         for bone, angles in zip(BONES, (frame.head, *frame.eyes), strict=True):
             turn = unity_quaternion(angles)
             parts.append(message("/VMC/Ext/Bone/Pos", bone, 0.0, 0.0, 0.0, *turn.tolist()))
-        weights = frame.weights if len(names) == len(SHAPES) else preset_weights(frame.weights[None])[0]
+        weights = frame.weights if len(names) == len(SHAPES) else _presets(frame)
         for name, weight in zip(names, weights, strict=True):
             parts.append(message("/VMC/Ext/Blend/Val", name, float(weight)))
         return bundles([*parts, message("/VMC/Ext/Blend/Apply")])
@@ -45,6 +45,11 @@ def unity_quaternion(angles: Array) -> Array:
     yaw, pitch, roll = (float(angle) for angle in angles)
     x, y, z, w = quaternion(head_rotation(pitch, yaw, roll))
     return np.array([x, -y, -z, w])
+
+
+def _presets(frame: ArkitMoment) -> Array:
+    emotion = None if frame.emotion is None else frame.emotion[None]
+    return np.asarray(preset_weights(frame.weights[None], np.array([frame.seal]), emotion)[0])
 
 
 def _expressions(names: str) -> Sequence[str]:

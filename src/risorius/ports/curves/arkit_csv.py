@@ -22,7 +22,8 @@ from ...core.lips.lip_rig import OPENING, seal_of
 from ...core.parameters import INDEX as PARAMETER
 from ...errors import InputError, unknown
 from ...face.fit.arkit_direct import gaze_of
-from ...face.fit.arkit_fit import ArkitFit, ArkitTrack
+from ...face.fit.arkit_fit import ArkitFit
+from ...face.fit.arkit_track import ArkitTrack
 from ...face.fit.lip_file import load_lip_rig
 from ...face.fit.muscle_fit import MuscleFit
 from ...face.solve import FaceSolver

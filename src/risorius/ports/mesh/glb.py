@@ -28,7 +28,7 @@ from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from .basis import ClipBasis, nonnegative
 from .glb_scene import GlbScene
-from .gltf import Animation, Gltf, quaternions
+from .gltf import Animation, Gltf, clip_times, quaternions
 
 GENERATOR = "Risorius"
 _SMALL = 1e-3  # mm: smaller displacements count as zero
@@ -65,7 +65,7 @@ def write_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
         moving[back] = _minus_sum(list(moving.values()))
     scene = GlbScene(head, gltf, parts, moving, back=back)
     scene.build()
-    animate(scene, take.performance.times, dict(zip(moving, weights.T, strict=True)), turns)
+    animate(scene, clip_times(take), dict(zip(moving, weights.T, strict=True)), turns)
     gltf.save(path)
 
 
@@ -78,7 +78,7 @@ def write_rig_glb(take: WritableTake, path: Path, options: WriteOptions) -> None
     turns = Turns()
     for frame in take.faces(progress=options.progress):
         turns.append(frame)
-    animate(scene, take.performance.times, dict(zip(SHAPES, track.weights.T, strict=True)), turns)
+    animate(scene, clip_times(take), dict(zip(SHAPES, track.weights.T, strict=True)), turns)
     gltf.save(path)
 
 
@@ -129,12 +129,10 @@ class Turns:
 
 
 def animate(scene: GlbScene, times: Array, weights: Mapping[str, Array], turns: Turns) -> None:
-    """Add the animation: `weights` (frames,) by morph target, and the rotations."""
+    """Add the animation: `weights` (frames,) by morph target, and the rotations; `times` are `clip_times`."""
     animation = Animation(scene.gltf, times)
     for node, names in scene.targets.items():
-        animation.drive(
-            scene.nodes[node], "weights", np.stack([weights[name] for name in names], axis=1).ravel()
-        )
+        animation.drive(scene.nodes[node], "weights", np.stack([weights[name] for name in names], axis=1))
     for node, rotations in turns.all().items():
         animation.drive(scene.nodes[node], "rotation", rotations)
     animation.finish()

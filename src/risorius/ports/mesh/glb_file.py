@@ -24,6 +24,10 @@ class GlbFile:
     document: dict[str, Any]
     binary: bytes
 
+    def __repr__(self) -> str:
+        """Return one line: the file's name, and how long its binary chunk is."""
+        return f"<GlbFile {self.path.name}, {len(self.binary)} bytes beside its document>"
+
     def morph_targets(self) -> dict[int, tuple[str, ...]]:
         """Return the names of morph targets by mesh; raise InputError if names and targets differ."""
         targets_by_name = {}
@@ -31,8 +35,7 @@ class GlbFile:
             targets = [len(self._part(p, "targets", index)) for p in self._part(mesh, "primitives", index)]
             if not any(targets):
                 continue
-            extras = mesh.get("extras")
-            names = self._part(extras, "targetNames", index) if isinstance(extras, dict) else []
+            names = self._target_names(mesh, index)
             if len(set(targets)) != 1 or (names and len(names) != targets[0]):
                 raise self._fault(f"mesh {index} has {targets[0]} morph targets and {len(names)} names")
             targets_by_name[index] = tuple(map(str, names)) or tuple(f"target_{k}" for k in range(targets[0]))
@@ -41,6 +44,19 @@ class GlbFile:
     def nodes_of(self, mesh: int) -> list[int]:
         """Return the nodes that show a mesh."""
         return [k for k, node in enumerate(self._list("nodes")) if node.get("mesh") == mesh]
+
+    def resting_weights(self, mesh: int, node: int, targets: int) -> tuple[float, ...]:
+        """Return the weights of a mesh's targets at rest: those of the node that shows it, else its own.
+
+        Without either they are 0. Raises InputError if they are not as many numbers as there are targets.
+        """
+        holders = self._list("nodes")[node], self._list("meshes")[mesh]
+        weights = next((holder["weights"] for holder in holders if "weights" in holder), [0.0] * targets)
+        if not isinstance(weights, list) or not all(isinstance(weight, int | float) for weight in weights):
+            raise self._fault(f"the weights of mesh {mesh} are not a list of numbers; expected one")
+        if len(weights) != targets:
+            raise self._fault(f"mesh {mesh} has {targets} morph targets and {len(weights)} weights")
+        return tuple(map(float, weights))
 
     def extended(self) -> dict[str, Any]:
         """Return a copy of the document to which accessors, their views and animations can be added.
@@ -51,6 +67,14 @@ class GlbFile:
         if any("uri" in buffer for buffer in lists["buffers"][:1]) or (lists["buffers"] and not self.binary):
             raise self._fault("keeps its data in another file; expected all of it in the .glb")
         return {**self.document, **lists}
+
+    def _target_names(self, mesh: dict[str, Any], index: int) -> list[Any]:
+        """Return the names of a mesh's targets, its own or, as UniVRM writes them, those of a primitive."""
+        for holder in (mesh, *self._part(mesh, "primitives", index)):
+            extras = holder.get("extras")
+            if isinstance(extras, dict) and (names := self._part(extras, "targetNames", index)):
+                return names
+        return []
 
     def _list(self, kind: str) -> list[dict[str, Any]]:
         entries = self.document.get(kind, [])

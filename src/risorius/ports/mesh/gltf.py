@@ -10,6 +10,7 @@ import numpy as np
 
 from ...core.arrays import AnyArray, Array, Float32Array, FloatArray
 from ...reading.json_text import JsonObject
+from ..export_source import WritableTake
 from .glb_file import GlbFile, save_glb
 
 _TYPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4", 16: "MAT4"}
@@ -93,16 +94,22 @@ class Gltf:
 
 
 class Animation:
-    """The one animation of a document: channels on one clock, `times` (keys,) in seconds."""
+    """The one animation of a document: channels on one clock, `times` (keys,) in seconds.
+
+    Keys after the last frame hold its values.
+    """
 
     def __init__(self, gltf: Gltf, times: Array) -> None:
-        self._gltf = gltf
+        self._gltf, self._keys = gltf, len(times)
         self._clock = gltf.accessor(times.astype(np.float32))
         self._samplers: list[JsonObject] = []
         self._channels: list[JsonObject] = []
 
     def drive(self, node: int, path: str, values: FloatArray) -> None:
-        """Let `path` ("weights", "rotation" …) of a node go through values, straight from key to key."""
+        """Let `path` ("weights", "rotation" …) of a node go straight through the values (frames, n)."""
+        values = held(values, self._keys)
+        if path == "weights":
+            values = values.ravel()
         output = self._gltf.accessor(np.ascontiguousarray(values, np.float32))
         self._samplers.append({"input": self._clock, "output": output, "interpolation": "LINEAR"})
         self._channels.append({"sampler": len(self._samplers) - 1, "target": {"node": node, "path": path}})
@@ -111,6 +118,27 @@ class Animation:
         """Add it to the document."""
         entry = {"name": "performance", "channels": self._channels, "samplers": self._samplers}
         self._gltf.add("animations", entry)
+
+
+def clip_times(take: WritableTake) -> Array:
+    """Return the times (keys,) in seconds of a clip: those of all frames, and one more if its sound goes on.
+
+    That is the first frame after the sound, until which the last pose holds: a player that loops the clip
+    by the sound's clock would begin again before the sound ends.
+    """
+    times, fps = take.performance.times, take.performance.fps
+    end = 0.0 if take.audio is None else take.audio.duration
+    if np.float32(times[-1]) > end:
+        return times
+    number = int(end * fps) + 1
+    if np.float32(number / fps) <= end:
+        number += 1
+    return np.append(times, float(number / fps))
+
+
+def held(values: AnyArray, keys: int) -> AnyArray:
+    """Return values (frames, …) with the last one repeated up to the number of keys."""
+    return np.concatenate([values, np.repeat(values[-1:], keys - len(values), axis=0)])
 
 
 def quaternion(rotation: Array) -> Array:

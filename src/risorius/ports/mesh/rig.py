@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -15,7 +13,8 @@ from ...core.arrays import Array, Float32Array
 from ...core.parameters import INDEX as PARAMETER
 from ...core.parameters import NEUTRAL
 from ...errors import InputError, Place, unknown
-from ...face.fit.arkit_fit import ArkitFit, ArkitTrack
+from ...face.fit.arkit_fit import ArkitFit
+from ...face.fit.arkit_track import ArkitTrack
 from ...face.fit.muscle_fit import FITTED
 from ...face.head.head import Head
 from ...face.solve import FaceSolver
@@ -23,17 +22,17 @@ from ...machine.blas import one_thread
 from ...reading.source_text import SourceText
 from ...reading.toml import parse, read_text
 from .glb_file import GlbFile, read_glb
+from .gltf import held
+from .shape_names import ShapeTargets, guess_map
 
 WELL, PARTLY = 0.25, 0.6  # shares of a movement left over up to which it is shown well, and partly
-_LIKE = 0.88  # how alike names must be for a guess
-_SIDES = {"l": "left", "r": "right", "lft": "left", "rgt": "right"}
 
 
 @dataclass(frozen=True, slots=True)
 class ShapeMap:
-    """A map's file: names of a character's morph targets by ARKit's names."""
+    """A map's file: the names of a character's morph targets by ARKit's names, one or a list for each."""
 
-    shapes: Mapping[str, str] = field(default_factory=dict)
+    shapes: Mapping[str, str | tuple[str, ...]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,11 +56,16 @@ class MuscleCoverage:
 
 @dataclass(frozen=True, slots=True)
 class Rig:
-    """A character's file, its map, and the targets of each mesh."""
+    """A character's file, the targets of each mesh, and its map: the targets of each ARKit shape by name."""
 
     file: GlbFile
     targets: Mapping[int, tuple[str, ...]]
-    shapes: Mapping[str, str]
+    shapes: ShapeTargets
+
+    def __repr__(self) -> str:
+        """Return one line: the file, and how many of ARKit's shapes it has."""
+        meshes = f"{len(self.targets)} mesh{'es' if len(self.targets) != 1 else ''}"
+        return f"<Rig {self.file.path.name}: {len(self.shapes)} of {len(SHAPES)} ARKit shapes on {meshes}>"
 
     @property
     def missing(self) -> tuple[str, ...]:
@@ -71,8 +75,13 @@ class Rig:
     @property
     def unused(self) -> tuple[str, ...]:
         """Morph targets that stand for no ARKit shape."""
-        used = set(self.shapes.values())
-        return tuple(dict.fromkeys(n for names in self.targets.values() for n in names if n not in used))
+        names = (name for names in self.targets.values() for name in names)
+        return tuple(dict.fromkeys(name for name in names if name not in self.shape_of))
+
+    @property
+    def shape_of(self) -> Mapping[str, str]:
+        """The ARKit shape of each morph target that stands for one."""
+        return {name: shape for shape, names in self.shapes.items() for name in names}
 
 
 def read_rig(path: Path, map_file: Path | None = None) -> Rig:
@@ -84,29 +93,34 @@ def read_rig(path: Path, map_file: Path | None = None) -> Rig:
     targets = file.morph_targets()
     if not targets:
         raise InputError("has no morph targets; expected a mesh with blend shapes", Place(str(path)))
-    names = tuple(dict.fromkeys(name for group in targets.values() for name in group))
     if map_file is None:
-        return Rig(file, targets, guess_map(names))
+        return Rig(file, targets, guess_map(*targets.values()))
+    names = tuple(dict.fromkeys(name for group in targets.values() for name in group))
     return Rig(file, targets, _read_map(map_file, names))
 
 
-def _read_map(path: Path, names: Sequence[str]) -> dict[str, str]:
+def _read_map(path: Path, names: Sequence[str]) -> dict[str, tuple[str, ...]]:
     """Return a map; InputError if it is empty, or a name is unknown or a target given twice."""
     source = SourceText(str(path), read_text(path))
     shapes = parse(ShapeMap, source.text, source.name).shapes
     if not shapes:
         example = 'jawOpen = "Mouth_Open"'
         raise InputError(f"[shapes] is empty; expected lines such as {example}", Place(str(path)))
+    read: dict[str, tuple[str, ...]] = {}
     shape_of: dict[str, str] = {}
-    for shape, target in shapes.items():
+    for shape, given in shapes.items():
         if shape not in INDEX:
             raise source.error(("shapes", shape), unknown("ARKit shape", shape, INDEX))
-        if target not in names:
-            raise source.error(("shapes", shape), unknown("morph target", target, names))
-        if (other := shape_of.setdefault(target, shape)) != shape:
-            message = f"morph target '{target}' is given for {other} and for {shape}"
-            raise source.error(("shapes", shape), message)
-    return dict(shapes)
+        read[shape] = (given,) if isinstance(given, str) else given
+        if not read[shape]:
+            raise source.error(("shapes", shape), "the list is empty; expected names of morph targets")
+        for target in read[shape]:
+            if target not in names:
+                raise source.error(("shapes", shape), unknown("morph target", target, names))
+            if (other := shape_of.setdefault(target, shape)) != shape:
+                message = f"morph target '{target}' is given for {other} and for {shape}"
+                raise source.error(("shapes", shape), message)
+    return read
 
 
 def check_performable(rig: Rig) -> None:
@@ -117,24 +131,6 @@ def check_performable(rig: Rig) -> None:
     if not any(rig.file.nodes_of(mesh) for mesh in rig.targets):
         raise InputError("no node shows a mesh with morph targets", place)
     rig.file.extended()
-
-
-def guess_map(names: Sequence[str]) -> dict[str, str]:
-    """Return the morph targets that most likely are ARKit's shapes, each used once.
-
-    Case, punctuation, a prefix that all share, and the way sides are written do not count.
-    """
-    plain: dict[str, str] = {}
-    for name in names:
-        plain.setdefault(_plain(name), name)
-    matched = {shape: plain[_plain(shape)] for shape in SHAPES if _plain(shape) in plain}
-    free = {key: name for key, name in plain.items() if name not in matched.values()}
-    for shape in SHAPES:
-        if shape not in matched:
-            near = difflib.get_close_matches(_plain(shape), list(free), n=1, cutoff=_LIKE)
-            if near and _side(near[0]) == _side(_plain(shape)):
-                matched[shape] = free.pop(near[0])
-    return {shape: matched[shape] for shape in SHAPES if shape in matched}
 
 
 @one_thread()
@@ -157,9 +153,11 @@ def report(rig: Rig, head: Head) -> list[MuscleCoverage]:
 def animated(rig: Rig, track: ArkitTrack, times: Array) -> GlbFile:
     """Return the character's file with one animation more: the track's weights on its morph targets.
 
-    Raises InputError as `check_performable`.
+    `times` (keys,): keys after the last frame hold its weights. A target that is not a shape keeps the
+    weight that the file gives it at rest. Raises InputError as `check_performable`.
     """
     check_performable(rig)
+    weights = held(track.weights, len(times))
     document, binary = rig.file.extended(), bytearray(rig.file.binary)
 
     def accessor(values: Float32Array) -> int:
@@ -172,13 +170,20 @@ def animated(rig: Rig, track: ArkitTrack, times: Array) -> GlbFile:
         document["accessors"].append({"bufferView": len(document["bufferViews"]) - 1, **described, **limits})
         return len(document["accessors"]) - 1
 
-    shape_of = {target: shape for shape, target in rig.shapes.items()}
+    shape_of, keys = rig.shape_of, np.ones(len(times))
     clock = accessor(times.astype(np.float32))
-    samplers, channels = [], []
+    samplers, channels, outputs = [], [], {}
     for mesh, names in rig.targets.items():
-        columns = [track.weights[:, INDEX[shape_of[n]]] if n in shape_of else 0.0 * times for n in names]
-        output = accessor(np.ascontiguousarray(np.stack(columns, axis=1), np.float32).ravel())
         for node in rig.file.nodes_of(mesh):
+            resting = rig.file.resting_weights(mesh, node, len(names))
+            if (mesh, resting) not in outputs:
+                columns = [
+                    weights[:, INDEX[shape_of[name]]] if name in shape_of else rest * keys
+                    for name, rest in zip(names, resting, strict=True)
+                ]
+                values = np.ascontiguousarray(np.stack(columns, axis=1), np.float32)
+                outputs[mesh, resting] = accessor(values.ravel())
+            output = outputs[mesh, resting]
             samplers.append({"input": clock, "output": output, "interpolation": "LINEAR"})
             target = {"node": node, "path": "weights"}
             channels.append({"sampler": len(samplers) - 1, "target": target})
@@ -186,17 +191,3 @@ def animated(rig: Rig, track: ArkitTrack, times: Array) -> GlbFile:
     buffers = document["buffers"] or [{}]
     document["buffers"] = [{**buffers[0], "byteLength": len(binary)}, *buffers[1:]]
     return GlbFile(rig.file.path, document, bytes(binary))
-
-
-def _plain(name: str) -> str:
-    """Return a name without case, punctuation and prefixes, its side spelled out at the end."""
-    stem = re.split(r"[.:|]", name)[-1]
-    words = re.findall(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])|\d+", stem)
-    sides = [_SIDES.get(word.lower(), word.lower()) for word in words]
-    side = next((word for word in reversed(sides) if word in ("left", "right")), "")
-    rest = "".join(word for word in sides if word not in ("left", "right"))
-    return rest + side
-
-
-def _side(plain: str) -> str:
-    return next((side for side in ("left", "right") if plain.endswith(side)), "")

@@ -15,7 +15,7 @@ import numpy as np
 from ...core.arkit import SHAPES
 from ...core.arrays import Array, Float32Array
 from ...errors import OutputError
-from ...face.fit.arkit_fit import ArkitTrack
+from ...face.fit.arkit_track import ArkitTrack
 from ...face.fit.shapes import arkit_shapes
 from ...face.head.head import Head
 from ...face.numerics.rotations import forward_to, head_rotation, towards
