@@ -18,7 +18,7 @@ from __future__ import annotations
 import argparse
 import tempfile
 from collections.abc import Iterator, Sequence
-from dataclasses import astuple, fields
+from dataclasses import astuple, fields, replace
 from functools import partial
 from pathlib import Path
 
@@ -38,6 +38,7 @@ from abroad_readers import (
 )
 
 import risorius
+from risorius.take import Take
 
 SENTENCES: tuple[tuple[str, dict[str, float]], ...] = (
     ("My baby brother put the map by the beam.", {}),
@@ -47,6 +48,8 @@ SENTENCES: tuple[tuple[str, dict[str, float]], ...] = (
     ("I miss my mother. May we phone home before we move?", {"sadness": 0.8}),
     ("A bumpy bus brought the whole family up the mountain.", {}),
 )
+SHAPES = "shapes.vrma"
+"""The suffix of the animation with `--names arkit`; that without has VRM's presets."""
 FILES = (
     "rig.glb",
     "glb",
@@ -75,14 +78,20 @@ READERS: tuple[tuple[str, str, Reader], ...] = (
     ("glb", "three.js", by_three),
     ("arkit.csv", "csv, on the rig's shapes", by_csv),
     ("usda", "usd-core", by_usd_core),
-    ("vrma", "three-vrm, 52 shapes", partial(by_three_vrm, presets="shapes")),
-    ("vrma", "three-vrm, presets", partial(by_three_vrm, presets="presets")),
+    ("vrma", "three-vrm, presets", partial(by_three_vrm, expressions="presets")),
+    ("shapes.vrma", "three-vrm, 52 shapes", partial(by_three_vrm, expressions="shapes")),
     ("fap", "Risorius", by_risorius),
     ("au.csv", "Risorius", by_risorius),
 )
 IN_BLENDER: tuple[tuple[str, str, Reader], ...] = tuple(
     (suffix, "Blender", by_blender) for suffix in ("rig.glb", "glb", "usda")
 )
+
+
+def write(take: Take, folder: Path) -> None:
+    """Write all files of a take."""
+    take.write(*(folder / f"x.{suffix}" for suffix in FILES))
+    replace(take, settings=replace(take.settings, names="arkit")).write(folder / f"x.{SHAPES}")
 
 
 def losses(
@@ -106,7 +115,7 @@ def _as_long(seen: Seen, own: Own) -> Seen:
 def usable(readers: Sequence[tuple[str, str, Reader]], folder: Path) -> Iterator[tuple[str, str, Reader]]:
     """Yield the readers that are installed; name the others."""
     take = risorius.speak("Hm.", settings=risorius.Settings(dynamics="static"))
-    take.write(*(folder / f"x.{suffix}" for suffix in {"rig.glb", *(suffix for suffix, _, _ in readers)}))
+    write(take, folder)
     gauges = Gauges(take.head)
     for suffix, name, read in readers:
         try:
@@ -145,7 +154,7 @@ def main() -> None:
                 folder = (asked.keep or Path(scratch)) / f"{head}-{number}"
                 folder.mkdir(parents=True, exist_ok=True)
                 take = risorius.speak(text, emotion=emotion, settings=risorius.Settings(head=head))
-                take.write(*(folder / f"x.{suffix}" for suffix in FILES))
+                write(take, folder)
                 gauges = Gauges(take.head)
                 own = gauges.own(take.faces())
                 for label, loss in losses(own, gauges, folder, readers):

@@ -8,9 +8,13 @@ from bisect import bisect_right
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+from abroad_readers import Glb, MissingReaderError
+
 from risorius.core.arrays import Array, BoolArray
 
 OPEN = ("aa", "E", "ih", "oh", "ou")
+PRESETS = ("aa", "ih", "ou", "ee", "oh")
 
 
 @dataclass(frozen=True)
@@ -18,12 +22,14 @@ class Closures:
     """Of all frames in which our lips are sealed, what the visemes show there.
 
     `frames`: how many; `least` and `most`: the least weight of `PP` and the greatest of the open vowels in
-    `.oculus.csv`; `shape` and `event`: in how many frames `.visemes.json` has A and `.azure.json` 21.
+    `.oculus.csv`; `preset`: the greatest of VRM's vowels in `.vrma`, or None without a reader; `shape` and
+    `event`: in how many frames `.visemes.json` has A and `.azure.json` 21.
     """
 
     frames: int
     least: float
     most: float
+    preset: float | None
     shape: int
     event: int
 
@@ -40,9 +46,19 @@ def closures_in_visemes(folder: Path, times: Array, sealed: BoolArray) -> Closur
         len(rows),
         min((float(row["PP"]) for row in rows), default=1.0),
         max((float(row[name]) for row in rows for name in OPEN), default=0.0),
+        _greatest_vowel(folder / "x.vrma", sealed),
         shapes.count("A"),
         _at(times[sealed], starts, ids).count(21),
     )
+
+
+def _greatest_vowel(path: Path, sealed: BoolArray) -> float | None:
+    try:
+        glb = Glb(path)
+    except MissingReaderError:
+        return None
+    vowels = np.stack([glb.translations(glb.names[name])[:, 0] for name in PRESETS], axis=1)
+    return float(vowels[: len(sealed)][sealed].max(initial=0.0))
 
 
 def _at(times: Array, starts: list[float], values: list) -> list:
@@ -55,5 +71,8 @@ def show(closures: list[Closures]) -> None:
     least, most = min(each.least for each in closures), max(each.most for each in closures)
     print(f"\nVisemes in the {frames} frames in which our lips are sealed:")
     print(f".oculus.csv   PP is {least:.2f} at least, a vowel {most:.2f} at most")
+    presets = [each.preset for each in closures if each.preset is not None]
+    if presets:
+        print(f".vrma         a preset of a vowel is {max(presets):.2f} at most")
     print(f".visemes.json A in {sum(each.shape for each in closures)}")
     print(f".azure.json   21 in {sum(each.event for each in closures)}")

@@ -213,12 +213,12 @@ def by_three(path: Path, gauges: Gauges) -> Seen:
     return _in_node(path, gauges, "-", THREE)
 
 
-def by_three_vrm(path: Path, gauges: Gauges, presets: str) -> Seen:
+def by_three_vrm(path: Path, gauges: Gauges, expressions: str) -> Seen:
     """Evaluate `.vrma` with three-vrm on an avatar made of the `.rig.glb` beside it.
 
-    `presets` "shapes": an avatar whose expressions are the 52 shapes; "presets": one with VRM's own alone.
+    `expressions` "shapes": an avatar that has the 52 shapes; "presets": one that has VRM's presets alone.
     """
-    return _in_node(path, gauges, presets, THREE, *VRM)
+    return _in_node(path, gauges, expressions, THREE, *VRM)
 
 
 def _in_node(path: Path, gauges: Gauges, expressions: str, *packages: str) -> Seen:

@@ -12,7 +12,8 @@ from pathlib import Path
 import numpy as np
 
 from ...core.arrays import Array
-from ...core.lips.lip_rig import OPENING, SEAL, gap_left
+from ...core.lips.closed_lips import closed_lips
+from ...core.lips.lip_rig import SEAL
 from ...core.parameters import INDEX
 from ..export_source import WritableTake, WriteOptions
 from ..formats import register
@@ -21,8 +22,6 @@ from .visemes import OCULUS, Cue, Viseme, cues, said
 
 FADE = 0.08
 COLUMNS = ("time_s", *OCULUS)
-SHUT, OPEN = 0.3, 1.2  # mm between the lips up to which they count as sealed, and from which as open
-SOUGHT = 0.05  # the seal from which on lips that touch are closed, and not at rest
 NEAR, FAR = 0.08, 0.16  # s before and after a bilabial within which its lips are sealed, and beyond which not
 _CLOSED = OCULUS.index("PP")
 
@@ -43,12 +42,7 @@ def write_oculus_csv(take: WritableTake, path: Path, _options: WriteOptions) -> 
 def _sealed(take: WritableTake) -> Array:
     """Return how far our own lips are sealed in each frame (frames,): 1 where they touch by a seal."""
     curves = take.performance.values
-    seal = curves[:, INDEX[SEAL]]
-    if not seal.any():
-        return np.zeros(len(curves))
-    gap = take.head_lips.gap({name: curves[:, INDEX[name]] for name in OPENING})
-    left = gap_left(np.maximum(gap, 0.0), seal)
-    return np.asarray(np.clip((OPEN - left) / (OPEN - SHUT), 0.0, 1.0) * np.minimum(seal / SOUGHT, 1.0))
+    return closed_lips(take.head_lips, curves) if curves[:, INDEX[SEAL]].any() else np.zeros(len(curves))
 
 
 def _near(viseme_cues: list[Cue], times: Array) -> Array:
