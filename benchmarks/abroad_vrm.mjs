@@ -19,7 +19,7 @@ const PRESETS = {
   happy: both("mouthSmile", 1.0),
   angry: both("browDown", 1.0),
   sad: { browInnerUp: 0.8, ...both("mouthFrown", 0.6) },
-  surprised: { browInnerUp: 1.0, jawOpen: 0.2, ...both("eyeWide", 0.5) },
+  surprised: { browInnerUp: 1.0, ...both("eyeWide", 0.5) },
 };
 
 /** Return a binary glTF with its document changed. */
