@@ -28,6 +28,8 @@ from ..numerics.nonnegative import least_squares
 from ..numerics.robust_fit import FAR, RobustFit, lengths, within_leeway
 from .arkit_direct import DIRECT, direct_weights
 from .arkit_track import ArkitTrack
+from .lip_limits import LipLimits
+from .mouth_gap import MouthGap
 from .shapes import ArkitShapes, arkit_shapes
 
 # Shares of the mean square of a shape that keep nearly parallel and opposed shapes from cancelling each
@@ -69,10 +71,19 @@ class ArkitFit:
         normal = _regular(self._products)
         alone = np.ones(len(SHAPES), dtype=bool)
         alone[_EXCLUSIVE.ravel()] = False
+        self._gap = MouthGap.of(head)
+        self._lips = LipLimits(self._gap, self._corners(), self._gap.corners(self.rest), normal, self._free)
         self._all = _Normal.of(normal, self._free)
         self._some = _Normal.of(normal, self._free & alone)
         moves = self._fitted.reshape(len(SHAPES), -1, 3)[self._some.free]
         self._moves = np.ascontiguousarray(moves.transpose(1, 2, 0))
+
+    def _corners(self) -> Array:
+        """Return what the unknowns of the fit displace at the lips' vertices (52, 19, 4, 3), mm at 1."""
+        columns = (3 * self._gap.vertices[:, :, None] + np.arange(3)).ravel()
+        moved = self.shapes.skin[:, columns].toarray()
+        moved[_CLOSE] += moved[_JAW]
+        return np.asarray(moved.reshape(len(SHAPES), *self._gap.vertices.shape, 3))
 
     @classmethod
     @lru_cache(maxsize=2)
@@ -87,15 +98,19 @@ class ArkitFit:
     def of_skin(self, skin: FloatArray, direct: Array | None = None) -> Array:
         """Return the weights (52,) of a level-1 skin (N1, 3) mm; `direct` (52,) are weights without a fit."""
         given = np.zeros(len(SHAPES)) if direct is None else direct
-        return np.asarray(self._solve(self.displacement(skin)[None], given[None]).weights[0])
+        return np.asarray(self._alone(skin, given, NO_WAY).weights[0])
 
     def following(self, frame: FaceFrame, way: Array = NO_WAY) -> tuple[Array, Array]:
         """Return the weights (52,) of a frame alone, for those that wait for it, but for rounding.
 
         `way` (52,) is what this returned beside them for the frame before; it shortens the search.
         """
-        found = self._solve(self.displacement(frame.skin)[None], direct_weights(frame)[None], way)
+        found = self._alone(frame.skin, direct_weights(frame), way)
         return np.asarray(found.weights[0]), found.way
+
+    def _alone(self, skin: FloatArray, direct: Array, way: Array) -> _Solution:
+        """Return the weights of one level-1 skin (N1, 3) mm; `direct` (52,), `way` (52,) as in `_solve`."""
+        return self._solve(self.displacement(skin)[None], self._gap.corners(skin)[None], direct[None], way)
 
     def skin(self, weights: Array) -> Array:
         """Return the level-1 skin (N1, 3) in mm of `weights` (52,)."""
@@ -132,14 +147,15 @@ class ArkitFit:
         `displacement` (`BLOCK`, 3 k) is scratch. `way` (52,): how the penalty changed the frame before;
         returned is the last frame's.
         """
-        seen = []
+        seen, corners = [], []
         for row, frame in zip(displacement, frames, strict=False):
             row[:] = self.displacement(frame.skin)
+            corners.append(self._gap.corners(frame.skin))
             seen.append((direct_weights(frame), frame.eye_rotation, frame.parameters))
         if not seen:
             return None
         direct, rotations, parameters = map(np.array, zip(*seen, strict=True))
-        weights, way = self._solve(displacement, direct, way)
+        weights, way = self._solve(displacement, np.array(corners), direct, way)
         rms, worst = _residual(displacement - _rows(weights, BLOCK) @ self._basis)
         return (weights, rotations, parameters, rms[: len(seen)], worst[: len(seen)]), way
 
@@ -151,10 +167,11 @@ class ArkitFit:
         """Return the displacement (3 k,) in mm of the visible vertices of a level-1 skin (N1, 3)."""
         return np.asarray((skin.take(self.counted, axis=0) - self._rest_seen).ravel(), dtype=np.float64)
 
-    def _solve(self, displacement: Array, direct: Array, way: Array = NO_WAY) -> _Solution:
+    def _solve(self, displacement: Array, corners: Array, direct: Array, way: Array) -> _Solution:
         """Return the weights (n, 52) of the first n of a block of displacements; `direct` (n, 52).
 
-        `way` (52,): how the penalty changed the weights of the frame before, if there is one.
+        `corners` (n, 19, 4, 3) mm are the vertices of the gap between the lips. `way` (52,): how the penalty
+        changed the weights of the frame before, if there is one.
         """
         direct = direct * self._direct
         size = len(displacement)
@@ -166,6 +183,7 @@ class ArkitFit:
         for k, start in enumerate(starts):
             way = self._way(left[k].reshape(-1, 3), apart[k], rights[k], start, way)
             weights[k] += within_leeway(way)
+        self._lips.keep(weights, corners)
         weights[:, _JAW] += weights[:, _CLOSE]
         weights = np.minimum(weights, 1.0)
         weights[:, _CLOSE] = np.minimum(weights[:, _CLOSE], weights[:, _JAW])
