@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...core.arkit import EXCLUSIVE, INDEX, OPPOSED, SHAPES
-from ...core.arrays import Array, BoolArray, FloatArray
+from ...core.arrays import Array, BoolArray, FloatArray, IntArray
 from ...core.parameters import INDEX as PARAMETER
 from ...machine.blas import one_thread
 from ..contact.lids import FRONT, LID_REACH
@@ -28,8 +28,7 @@ from ..numerics.nonnegative import least_squares
 from ..numerics.robust_fit import FAR, RobustFit, lengths, within_leeway
 from .arkit_direct import DIRECT, direct_weights
 from .arkit_track import ArkitTrack
-from .lip_limits import LipLimits
-from .mouth_gap import MouthGap
+from .contact_limits import ContactLimits
 from .shapes import ArkitShapes, arkit_shapes
 
 # Shares of the mean square of a shape that keep nearly parallel and opposed shapes from cancelling each
@@ -71,19 +70,18 @@ class ArkitFit:
         normal = _regular(self._products)
         alone = np.ones(len(SHAPES), dtype=bool)
         alone[_EXCLUSIVE.ravel()] = False
-        self._gap = MouthGap.of(head)
-        self._lips = LipLimits(self._gap, self._corners(), self._gap.corners(self.rest), normal, self._free)
+        self._contact = ContactLimits(head, self.rest, self._moved, normal, self._free)
         self._all = _Normal.of(normal, self._free)
         self._some = _Normal.of(normal, self._free & alone)
         moves = self._fitted.reshape(len(SHAPES), -1, 3)[self._some.free]
         self._moves = np.ascontiguousarray(moves.transpose(1, 2, 0))
 
-    def _corners(self) -> Array:
-        """Return what the unknowns of the fit displace at the lips' vertices (52, 19, 4, 3), mm at 1."""
-        columns = (3 * self._gap.vertices[:, :, None] + np.arange(3)).ravel()
+    def _moved(self, vertices: IntArray) -> Array:
+        """Return how far the unknowns of the fit displace some vertices (k,): (52, k, 3) mm at 1."""
+        columns = (3 * vertices[:, None] + np.arange(3)).ravel()
         moved = self.shapes.skin[:, columns].toarray()
         moved[_CLOSE] += moved[_JAW]
-        return np.asarray(moved.reshape(len(SHAPES), *self._gap.vertices.shape, 3))
+        return np.asarray(moved.reshape(len(SHAPES), -1, 3))
 
     @classmethod
     @lru_cache(maxsize=2)
@@ -110,7 +108,7 @@ class ArkitFit:
 
     def _alone(self, skin: FloatArray, direct: Array, way: Array) -> _Solution:
         """Return the weights of one level-1 skin (N1, 3) mm; `direct` (52,), `way` (52,) as in `_solve`."""
-        return self._solve(self.displacement(skin)[None], self._gap.corners(skin)[None], direct[None], way)
+        return self._solve(self.displacement(skin)[None], self._contact.points(skin)[None], direct[None], way)
 
     def skin(self, weights: Array) -> Array:
         """Return the level-1 skin (N1, 3) in mm of `weights` (52,)."""
@@ -147,15 +145,15 @@ class ArkitFit:
         `displacement` (`BLOCK`, 3 k) is scratch. `way` (52,): how the penalty changed the frame before;
         returned is the last frame's.
         """
-        seen, corners = [], []
+        seen, touching = [], []
         for row, frame in zip(displacement, frames, strict=False):
             row[:] = self.displacement(frame.skin)
-            corners.append(self._gap.corners(frame.skin))
+            touching.append(self._contact.points(frame.skin))
             seen.append((direct_weights(frame), frame.eye_rotation, frame.parameters))
         if not seen:
             return None
         direct, rotations, parameters = map(np.array, zip(*seen, strict=True))
-        weights, way = self._solve(displacement, np.array(corners), direct, way)
+        weights, way = self._solve(displacement, np.array(touching), direct, way)
         rms, worst = _residual(displacement - _rows(weights, BLOCK) @ self._basis)
         return (weights, rotations, parameters, rms[: len(seen)], worst[: len(seen)]), way
 
@@ -167,10 +165,10 @@ class ArkitFit:
         """Return the displacement (3 k,) in mm of the visible vertices of a level-1 skin (N1, 3)."""
         return np.asarray((skin.take(self.counted, axis=0) - self._rest_seen).ravel(), dtype=np.float64)
 
-    def _solve(self, displacement: Array, corners: Array, direct: Array, way: Array) -> _Solution:
+    def _solve(self, displacement: Array, touching: Array, direct: Array, way: Array) -> _Solution:
         """Return the weights (n, 52) of the first n of a block of displacements; `direct` (n, 52).
 
-        `corners` (n, 19, 4, 3) mm are the vertices of the gap between the lips. `way` (52,): how the penalty
+        `touching` (n, k, 3) mm are the vertices of lips and lids that touch. `way` (52,): how the penalty
         changed the weights of the frame before, if there is one.
         """
         direct = direct * self._direct
@@ -183,7 +181,7 @@ class ArkitFit:
         for k, start in enumerate(starts):
             way = self._way(left[k].reshape(-1, 3), apart[k], rights[k], start, way)
             weights[k] += within_leeway(way)
-        self._lips.keep(weights, corners)
+        self._contact.keep(weights, touching)
         weights[:, _JAW] += weights[:, _CLOSE]
         weights = np.minimum(weights, 1.0)
         weights[:, _CLOSE] = np.minimum(weights[:, _CLOSE], weights[:, _JAW])

@@ -1,4 +1,4 @@
-"""Where a face's lips touch, so do those that its weights move."""
+"""Where lips and lids of a face touch, so do those that its weights move."""
 
 from fractions import Fraction
 
@@ -11,8 +11,9 @@ import risorius
 from risorius.core.arkit import EXCLUSIVE, INDEX, SHAPES
 from risorius.core.parameters import INDEX as PARAMETER
 from risorius.core.parameters import NEUTRAL
-from risorius.face.fit import arkit_fit, lip_limits
+from risorius.face.fit import lip_limits
 from risorius.face.fit.arkit_fit import NO_WAY, ArkitFit
+from risorius.face.fit.lid_limits import lid_vertices
 from risorius.face.fit.mouth_gap import MouthGap
 from risorius.face.head.head import load_head, shipped_heads
 from risorius.face.solve import FaceSolver
@@ -67,7 +68,7 @@ def test_the_opening_follows_the_face(take: Take) -> None:
 
 
 def test_only_shapes_that_form_the_mouth_change(take: Take, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(arkit_fit.LipLimits, "keep", lambda *_: None)
+    monkeypatch.setattr(lip_limits.LipLimits, "keep", lambda *_: None)
     without = ArkitFit(take.head).track(take.faces()).weights
     changed = np.abs(take.arkit.weights - without).max(axis=0)
     others = [INDEX[name] for name in SHAPES if name not in lip_limits.SHAPES]
@@ -126,6 +127,20 @@ def test_nothing_switches_as_a_seal_begins(head) -> None:
         values[PARAMETER["lip_seal"]] = seal
         found.append(fit.weights(solver.solve(values)))
     assert np.abs(np.diff(found, axis=0)).max() < 0.06
+
+
+def test_shut_lids_are_shut_by_weights(take: Take) -> None:
+    """Squints and raised cheeks in an emotion leave less of the blink to be made, and no slit."""
+    fit, pairs = ArkitFit.of(take.head), lid_vertices(take.head, ArkitFit.of(take.head).rest).reshape(-1, 2)
+
+    def widest(skin: np.ndarray) -> float:
+        return float((skin[pairs[:, 0], 1] - skin[pairs[:, 1], 1]).max())
+
+    own = np.array([widest(frame.skin) for frame in take.faces(reuse=True)])
+    found = np.array([widest(fit.skin(weights)) for weights in take.arkit.weights])
+    shut = own < 0.1
+    assert shut.any()
+    assert found[shut].max() < 0.25
 
 
 @pytest.mark.parametrize("missing", [["mouthClose"], ["jawOpen"], ["mouthPressLeft", "mouthPressRight"]])
