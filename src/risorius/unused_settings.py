@@ -112,7 +112,8 @@ def chosen(settings: Settings) -> Iterator[str]:
 def reject_unwritten(settings: Settings, formats: Iterable[FileFormat]) -> None:
     """Raise UnusedSettingError for settings that change none of the files that are written."""
     formats = tuple(formats)
-    stages = {stage for written in formats for need in written.needs for stage in NEEDED[need]}
+    data = {Need(name) for written in formats for name in (*written.needs, *written.uses)}
+    stages = {stage for need in data for stage in NEEDED[need]}
     names = {name for written in formats for name in written.reads}
     table = rows(Settings)
     unused = [n for n in chosen(settings) if n not in names and table[n].entry.stage not in stages]

@@ -129,10 +129,12 @@ def test_oculus_weights_add_up_and_follow_the_phones(tmp_path: Path, take: Writa
     assert OCULUS[int(rows[middle_of_m, 1:].argmax())] == "PP"
 
 
-def test_oculus_shows_a_closure_as_long_as_our_lips_are_sealed(tmp_path: Path) -> None:
+def test_a_closure_is_shown_as_long_as_our_lips_are_sealed(tmp_path: Path) -> None:
     """By phones alone, two neighbours that fade into a short /m/ leave it .5 of PP and .5 of a vowel."""
     take = speak("My baby brother put the map by the beam.", settings=Settings(dynamics="static"))
-    take.write(tmp_path / "x.oculus.csv")
+    take.write(*(tmp_path / f"x.{suffix}" for suffix in ("oculus.csv", "visemes.json", "azure.json")))
+    mouths = json.loads((tmp_path / "x.visemes.json").read_text())["mouthCues"]
+    events = json.loads((tmp_path / "x.azure.json").read_text())["visemes"]
     rows = np.genfromtxt(tmp_path / "x.oculus.csv", delimiter=",", names=True)
     mouth = Mouth.of(take.head)
     heights = mouth.line @ (take.head.skin.matrix @ take.head.rest)[mouth.vertices, 1]
@@ -143,7 +145,12 @@ def test_oculus_shows_a_closure_as_long_as_our_lips_are_sealed(tmp_path: Path) -
             sealed += 1
             assert row["PP"] >= 0.9, row
             assert max(row[name] for name in ("aa", "E", "ih", "oh", "ou")) == 0.0, row
+            time = row["time_s"]
+            assert [cue["value"] for cue in mouths if cue["start"] <= time < cue["end"]] == ["A"], time
+            assert [e["VisemeId"] for e in events if e["AudioOffset"] <= 1e7 * time][-1] == 21, time
         if gap > 3.0:
             assert row["PP"] < 0.7, row
     assert sealed > 15
+    assert all(a["end"] == b["start"] for a, b in pairwise(mouths))
+    assert [cue["value"] for cue in mouths].count("A") == 9  # My ba-by bro-ther put the ma-p by the bea-m
     assert np.array([list(row)[1:] for row in rows]).sum(axis=1) == pytest.approx(1.0, abs=1e-3)

@@ -12,17 +12,14 @@ from pathlib import Path
 import numpy as np
 
 from ...core.arrays import Array
-from ...core.lips.closed_lips import closed_lips
-from ...core.lips.lip_rig import SEAL
-from ...core.parameters import INDEX
 from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from ..table import table_lines, write_lines
-from .visemes import OCULUS, Cue, Viseme, cues, said
+from .visemes import NEAR, OCULUS, Cue, Viseme, cues, said, sealed
 
 FADE = 0.08
 COLUMNS = ("time_s", *OCULUS)
-NEAR, FAR = 0.08, 0.16  # s before and after a bilabial within which its lips are sealed, and beyond which not
+FAR = 0.16  # s before and after a bilabial beyond which it seals no lips
 _CLOSED = OCULUS.index("PP")
 
 
@@ -30,19 +27,13 @@ def write_oculus_csv(take: WritableTake, path: Path, _options: WriteOptions) -> 
     """Write the time in seconds and 15 weights; raise OutputError if nothing is said."""
     times, viseme_cues = take.performance.times, cues(said(take), _names, OCULUS[0])
     weights = _faded(viseme_cues, times)
-    closed = _sealed(take) * _near(viseme_cues, times)
+    closed = sealed(take) * _near(viseme_cues, times)
     before = weights[:, _CLOSED]
     after = np.maximum(before, closed)
     weights *= ((1.0 - after) / np.maximum(1.0 - before, 1e-9))[:, None]
     weights[:, _CLOSED] = after
     rows = np.concatenate([times[:, None], weights], axis=1)
     write_lines(path, table_lines(COLUMNS, rows, [6] + [4] * len(OCULUS)))
-
-
-def _sealed(take: WritableTake) -> Array:
-    """Return how far our own lips are sealed in each frame (frames,): 1 where they touch by a seal."""
-    curves = take.performance.values
-    return closed_lips(take.head_lips, curves) if curves[:, INDEX[SEAL]].any() else np.zeros(len(curves))
 
 
 def _near(viseme_cues: list[Cue], times: Array) -> Array:
@@ -74,6 +65,7 @@ def _faded(viseme_cues: list[Cue], times: Array) -> Array:
 register(
     ".oculus.csv",
     "weights of the 15 visemes of OVRLipSync",
-    {"speech", "curves"},
+    {"speech"},
     write_oculus_csv,
+    uses=("curves",),
 )
