@@ -67,7 +67,7 @@ def test_the_clip_s_own_shapes_make_every_frame(folder: Path, clip: Take) -> Non
 
 
 def test_the_clip_s_own_shapes_keep_the_lips_closed(tmp_path: Path) -> None:
-    """Lips are shown six times as exactly as other skin: a basis that treats all alike opens closures."""
+    """Lips are shown four times as exactly as other skin: a basis that treats all alike opens closures."""
     take = speak("My baby brother put the map by the beam.", settings=Settings(dynamics="static"))
     take.write(tmp_path / "x.glb")
     document, mouth = Document(tmp_path / "x.glb"), Mouth.of(take.head)

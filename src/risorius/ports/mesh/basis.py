@@ -14,7 +14,7 @@ from ...machine.kernels.jit import kernel
 
 TOLERANCE = 0.3  # mm by which a vertex may be off before the basis grows
 MOST = 40
-ROOM = 160  # shapes gathered before the least of them are dropped
+ROOM = 256  # shapes gathered before the least of them are dropped: half a minute with an emotion needs 210
 BLOCK = 32  # frames that are compared with the shapes at once: the shapes are read from memory once for all
 
 

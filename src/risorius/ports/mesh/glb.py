@@ -32,7 +32,7 @@ from .gltf import Animation, Gltf, clip_times, quaternions
 
 GENERATOR = "Risorius"
 _SMALL = 1e-3  # mm: smaller displacements count as zero
-_LIPS = 6.0  # how much more exactly than other skin a clip's own shapes show lips: a gap of .2 mm is seen
+_LIPS = 4.0  # how much more exactly than other skin a clip's own shapes show lips: a gap of .2 mm is seen
 _SHOWN = ("skin", "tongue", "teeth_lower", "lashes")
 """Parts whose points in each frame make a clip's shapes. Brows turn little: they follow the skin's shapes."""
 
