@@ -166,13 +166,10 @@ def main() -> None:
                     for found in (here[before], every[before]):
                         measured(name, before=before).add(frames, found)
             for before in kinds:
-                print(
-                    f"{name:9s} {emotion + (', before' if before else ''):18s}"[:20],
-                    here[before].row(),
-                    flush=True,
-                )
+                label = "   before" if before else f"{name:9s} {emotion}"
+                print(f"{label:20s}", here[before].row(), flush=True)
     for before in kinds:
-        print(f"{'all before' if before else 'all':20s}", every[before].row())
+        print(f"{'all, before' if before else 'all':20s}", every[before].row())
 
 
 if __name__ == "__main__":

@@ -161,7 +161,7 @@ def test_far_vertices_come_nearer_for_little(fit, face, monkeypatch: pytest.Monk
     near = fit.residual(frame, fit.weights(frame))
     monkeypatch.setattr(robust_fit, "STEPS", 0)
     before = fit.residual(frame, fit.weights(frame))
-    assert near[1] < before[1] - 0.25
+    assert near[1] < before[1] - 0.2
     assert near[0] < before[0] + 0.15
 
 

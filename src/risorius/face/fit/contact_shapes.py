@@ -22,7 +22,7 @@ from ..contact.plate import nearby, plate_compliance
 from ..head.head import Head
 from ..solve import FaceSolver
 
-PRESSED = 6.0  # mm by which a side's lips come together if they are that far apart
+PRESSED = 8.0  # mm by which a side's lips come together if they are that far apart
 BEYOND, WHOLE = (
     0.15,
     0.75,

@@ -25,13 +25,17 @@ SHAPES = (
 )
 """The shapes that form the mouth: those that may change to keep the lips' contact."""
 
-WIDER, NARROWER, OVERLAP = 0.1, 0.1, 0.22  # mm wider than the face's gap; narrower amid it; below rest
+WIDER, NARROWER, OVERLAP = 0.09, 0.1, 0.16  # mm wider than the face's gap; narrower amid it; below rest
 AMID = slice(8, 11)  # the places whose opening is followed both ways
-HARD, SOFT = 5e5, 5e3  # mm² of the skin's squares for each mm² of a gap: nearly shut, and wide open
-SHUT = 0.3  # mm of the widest gap at which a limit is half as stiff as if shut
-MORE = 0.05  # mm by which surfaces may overlap more than the points that meet at rest
-OVER = 0.2  # share of that for surfaces that overlap
-SLIDE = 30.0  # the same for one lip that slides along the other
+# How stiff limits are, in mm² of the skin's squares for each mm² of a gap, and the widest gap in mm over
+# which they are half as stiff.
+SHUT_STIFF, SHUT_HALF = 5e5, 0.3  # of a mouth that is nearly shut
+OPEN_STIFF, OPEN_HALF = 5e3, 6.0  # of one that is open
+OVERLAP_STIFF, MORE = (
+    1e5,
+    0.05,
+)  # of surfaces that overlap, by so many mm more than the points that meet at rest
+SLIDE = 30.0  # the same for a lip that slides along the other
 LEAST = 3e4  # mm²: the squares of shapes that move fewer vertices count as this many
 NARROW = 0.2  # mm between two places, at the least, for the slope of the line between the lips
 
@@ -100,7 +104,11 @@ class LipLimits:
         )
         widest = open_by.max(axis=1, keepdims=True)
         places = gap.shape[1]
-        stiff = np.full(limit.shape, HARD)
-        stiff[:, : 3 * places] = SOFT + (HARD - SOFT) / (1.0 + (widest / SHUT) ** 2)
-        stiff[:, 3 * places :] *= OVER
+        stiff = np.full(limit.shape, OVERLAP_STIFF)
+        stiff[:, : 3 * places] = _fall(SHUT_STIFF, widest / SHUT_HALF) + _fall(OPEN_STIFF, widest / OPEN_HALF)
         return rows, limit, stiff
+
+
+def _fall(stiff: float, share: Array) -> Array:
+    """Return a stiffness that is half as great where a share is 1, and falls with its square."""
+    return stiff / (1.0 + share**2)
