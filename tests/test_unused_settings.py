@@ -249,7 +249,7 @@ def test_options_of_other_commands(
         ),
         (["--fps", "24"], ["x.score.json", "x.TextGrid"], "--fps has no effect: no output has frames"),
         (["--hair", "bald"], ["x.arkit.csv"], "--hair has no effect: no output shows hair"),
-        (["--seed", "3"], ["x.visemes.json"], "--seed has no effect: no output has movements"),
+        (["--seed", "3"], ["x.TextGrid"], "--seed has no effect: no output has movements"),
     ],
 )
 def test_what_changes_no_output_is_refused(

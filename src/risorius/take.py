@@ -281,6 +281,13 @@ class Take:
         looks = apply_look(self.head.identity.looks, self.settings.look)
         return replace(self.head, identity=replace(self.head.identity, looks=looks))
 
+    @property
+    def head_lips(self) -> LipRig:
+        """The fit of the head's lips: how far apart muscles bring them."""
+        from .face.fit.lip_file import load_lip_rig
+
+        return load_lip_rig(self.settings.head)
+
     @cached_property
     def arkit(self) -> ArkitTrack:
         """The performance as weights of ARKit's 52 shapes, with the distances that they leave, in mm.

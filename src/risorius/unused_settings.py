@@ -124,7 +124,8 @@ def reject_unwritten(
     `read_by`: the stage that reads a setting, if it is another one than for a script.
     """
     formats = tuple(formats)
-    stages = {stage for written in formats for need in written.needs for stage in NEEDED[need]}
+    data = {Need(name) for written in formats for name in (*written.needs, *written.uses)}
+    stages = {stage for need in data for stage in NEEDED[need]}
     names = {name for written in formats for name in written.reads}
     by_stage = {name: read_by.get(name, row.entry.stage) for name, row in rows(Settings).items()}
     unused = [n for n in chosen(settings) if n not in names and by_stage[n] not in stages]

@@ -15,7 +15,7 @@ import risorius_performance  # noqa: E402
 bpy.ops.wm.read_factory_settings(use_empty=True)
 risorius_performance.register()
 scene = bpy.context.scene
-scene.render.fps = 30
+scene.render.fps = 30  # glTF is imported at the scene's rate
 bpy.ops.import_scene.gltf(filepath=str(folder / "x.rig.glb"))
 bone = bpy.data.objects["neck"].pose.bones["head"]
 frames = (0, 12, 20, 28, 36)
@@ -25,7 +25,9 @@ for frame in frames:
     own.append(bone.matrix.to_quaternion().copy())
 for data in (*bpy.data.objects, *bpy.data.shape_keys):
     data.animation_data_clear()
+scene.render.fps = 24  # the take's own is 30
 done = bpy.ops.import_anim.risorius_performance(filepath=str(folder / "x.arkit.csv"), head="neck:head")
+rate = [scene.render.fps, scene.render.fps_base]
 rows = list(csv.DictReader((folder / "x.arkit.csv").open()))
 skin = max((m.shape_keys for m in bpy.data.meshes if m.shape_keys), key=lambda keys: len(keys.key_blocks))
 off, turned = 0.0, []
@@ -39,6 +41,18 @@ try:
     bpy.ops.import_anim.risorius_performance(filepath=str(folder / "x.wav"))
 except RuntimeError as error:
     refused = str(error)
+scene.render.fps = 24
+bpy.ops.import_anim.risorius_performance(filepath=str(folder / "x.arkit.csv"), with_rate=False)
+left_alone = scene.render.fps
+scene.render.fps = 25
+elsewhere = "".join(f'{name[0].lower()}{name[1:]} = "None"\n' for name in rows[0])
+(folder / "map.toml").write_text(f"[shapes]\n{elsewhere}")
+try:  # no shape key has the names of the map
+    bpy.ops.import_anim.risorius_performance(
+        filepath=str(folder / "x.arkit.csv"), names=str(folder / "map.toml")
+    )
+except RuntimeError as error:
+    refused += str(error)
 result = {
     "done": sorted(done),
     "keys": len(skin.key_blocks) - 1,
@@ -47,6 +61,8 @@ result = {
     "own": max(degrees(quaternion.rotation_difference(own[0]).angle) for quaternion in own),
     "sounds": [strip.name for strip in scene.sequence_editor.strips],
     "refused": refused,
+    "rate": rate,
+    "left alone": [left_alone, scene.render.fps],
 }
 risorius_performance.unregister()
 Path(sys.argv[2], "result.json").write_text(json.dumps(result))

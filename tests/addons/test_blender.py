@@ -35,7 +35,10 @@ def test_a_take_moves_an_imported_head_as_its_own_animation_does(tmp_path: Path)
     assert result["off"] < 1e-6
     assert result["own"] > 2.0  # the head turns, and ours turns alike
     assert result["turned"] < 0.1
-    assert result["sounds"] == ["x"]
+    assert result["sounds"] == ["x", "x.001"]
+    assert result["rate"] == [30, 1.0]  # of the take; the scene had 24
+    assert result["left alone"] == [24, 25]  # if the user wants so, or nothing was imported
+    assert "x.arkit.csv: fits no shape key" in result["refused"]
     assert "x.wav: is not a performance; expected .arkit.csv or .performance.json" in result["refused"]
 
 

@@ -45,6 +45,7 @@ def test_a_take_is_read_as_the_library_reads_it(tracks: ModuleType, fps: Fractio
     path = written(tmp_path / "x.arkit.csv", fps, 100)
     track, ours = tracks.read_track(path), read_arkit_csv(path)
     np.testing.assert_allclose(track.times, ours.times - ours.times[0], atol=1e-9)
+    assert track.rate == pytest.approx(float(fps), abs=0.005)
     assert set(track.values) == set(CSV_SHAPES)
     assert track.values["JawOpen"][7] == pytest.approx(8 * (CSV_SHAPES.index("JawOpen") + 1) / 10_000)
     yaw, pitch, roll = np.degrees(ours.rotations[7, :3])
@@ -59,6 +60,24 @@ def test_a_performance_is_read(tracks: ModuleType, tmp_path: Path) -> None:
     np.testing.assert_allclose(track.values["masseter"], take.curves["masseter"], atol=1e-9)
     np.testing.assert_allclose(track.head["pitch"], take.curves["head_pitch"], atol=1e-9)
     assert not any(name.startswith(("head_", "gaze_")) for name in track.values)
+
+
+@pytest.mark.parametrize(
+    ("rate", "frames", "seconds"),
+    [
+        (30.0, 30, 1.0),
+        (24000 / 1001, 24, 1.001),
+        (23.98, 24, 1.001),
+        (29.97, 30, 1.001),
+        (59.94, 60, 1.001),
+        (12.5, 13, 1.04),
+        (0.4, 1, 2.5),
+    ],
+)
+def test_blender_states_a_rate_by_frames_and_seconds(
+    tracks: ModuleType, rate: float, frames: int, seconds: float
+) -> None:
+    assert tracks.scene_rate(rate) == (frames, pytest.approx(seconds))
 
 
 @pytest.mark.parametrize(

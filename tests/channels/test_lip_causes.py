@@ -95,9 +95,10 @@ def test_arkit_puckers_closed_lips_and_funnels_open_ones() -> None:
     assert max(share_of_pucker(phone) for phone in ("AO", "SH", "R")) < 0.5
     # One fades into the other at about a millimetre of gap.
     shut, near, ajar, apart = (share_of_pucker("UW", lip_aperture=gap) for gap in (0.0, 1.0, 1.5, 4.0))
-    assert shut > 0.9
+    assert shut > 0.8
     assert 0.3 < near < 0.8
-    assert apart < ajar < 0.5
+    assert apart < ajar < near
+    assert apart < 0.3
 
 
 @pytest.mark.parametrize("text", [LINE, "The fox ran over the wooden fence and vanished."])

@@ -21,6 +21,7 @@ from risorius.ports.curves.landmarks_csv import COLUMNS
 from risorius.ports.export_source import WritableTake
 
 if TYPE_CHECKING:
+    from risorius.core.lips.lip_rig import LipRig
     from risorius.face.fit.arkit_track import ArkitTrack
     from risorius.face.head.head import Head
 
@@ -49,6 +50,10 @@ class SmallTake:
 
     @property
     def shown_head(self) -> Head:
+        raise AssertionError("a small take has no head")
+
+    @property
+    def head_lips(self) -> LipRig:
         raise AssertionError("a small take has no head")
 
     def faces(self, *, progress: Progress = quiet) -> Iterator[Any]:

@@ -14,7 +14,7 @@ from bpy.props import BoolProperty, FloatProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
 
 from . import keys
-from .tracks import TrackError, read_map, read_track
+from .tracks import TrackError, read_map, read_track, scene_rate
 
 bl_info = {
     "name": "Risorius Performance",
@@ -52,6 +52,12 @@ class ImportPerformance(bpy.types.Operator, ImportHelper):
         description="Add the .wav of the same name, if it is there",
     )
 
+    with_rate: BoolProperty(
+        name="Frame rate",
+        default=True,
+        description="Set the scene's frame rate to that of the performance: a key on each frame",
+    )
+
     def execute(self, context):
         """Import; say in one line what cannot be used."""
         path = Path(bpy.path.abspath(self.filepath))
@@ -63,8 +69,12 @@ class ImportPerformance(bpy.types.Operator, ImportHelper):
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         objects = [item for item in context.selected_objects if item.type == "MESH"] or list(bpy.data.objects)
+        rate_before = keys.get_rate()
+        if self.with_rate:
+            keys.set_rate(scene_rate(track.rate))
         count = keys.insert_shape_keys(track, objects, self.first, names)
         if count == 0:
+            keys.set_rate(rate_before)
             self.report(
                 {"ERROR"}, f"{path.name}: fits no shape key; expected names such as jawOpen, or a map"
             )

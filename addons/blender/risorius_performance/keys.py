@@ -21,8 +21,8 @@ def insert_shape_keys(
     `first`: the scene's frame at which the track begins. `names`: the shape keys of a value whose own name is
     another. Keys that the track does not name stay as they are.
     """
-    mapped = names or {}
-    wanted = {plain(key): name for name in track.values for key in mapped.get(name, (name,))}
+    mapped = {plain(name): keys for name, keys in (names or {}).items()}
+    wanted = {plain(key): name for name in track.values for key in mapped.get(plain(name), (name,))}
     found = set()
     for data in {item.data.shape_keys for item in objects if _has_keys(item)}:
         matching = {key.name: wanted[plain(key.name)] for key in data.key_blocks if plain(key.name) in wanted}
@@ -67,6 +67,18 @@ def add_sound(path: Path, first: float):
     editor = bpy.context.scene.sequence_editor_create()
     channel = 1 + max((strip.channel for strip in editor.strips), default=0)
     return editor.strips.new_sound(path.stem, str(path), channel, round(first))
+
+
+def get_rate() -> tuple[int, float]:
+    """Return the frames of the scene, and the seconds that they last."""
+    render = bpy.context.scene.render
+    return render.fps, render.fps_base
+
+
+def set_rate(rate: tuple[int, float]) -> None:
+    """Let the scene play so many frames in so many seconds."""
+    render = bpy.context.scene.render
+    render.fps, render.fps_base = rate
 
 
 def fit_scene(track: Track, first: float) -> None:

@@ -8,13 +8,14 @@ import re
 import tomllib
 from dataclasses import dataclass
 from itertools import pairwise
-from math import degrees
+from math import ceil, degrees
 from pathlib import Path
 from statistics import median
 from typing import Any
 
 APP_RATE = 60.0  # frames per second of Live Link Face, where a file does not tell
 _TIMECODE = re.compile(r"(\d+):(\d{2}):(\d{2})[:;](\d+(?:\.\d+)?)")
+_ROUNDED = 0.006  # frames per second that a rate may be off, of which two decimals are known
 _SIDES = {"l": "left", "r": "right"}
 
 
@@ -27,9 +28,11 @@ class Track:
     """A performance: `times` in seconds, `values` by name, one for each time.
 
     `values` are weights of ARKit's shapes, or our muscles, 0 to 1. `head` holds pitch, yaw and roll of the
-    head in degrees: up, to the subject's left, and tilted to the subject's left are positive.
+    head in degrees: up, to the subject's left, and tilted to the subject's left are positive. `rate` is its
+    frames per second.
     """
 
+    rate: float
     times: list[float]
     values: dict[str, list[float]]
     head: dict[str, list[float]]
@@ -68,6 +71,18 @@ def plain(name: str) -> str:
     return "".join(parts)
 
 
+def scene_rate(rate: float) -> tuple[int, float]:
+    """Return the whole number of frames, and of seconds that they last, by which Blender states a rate.
+
+    Rates of television, such as 24000/1001, are found although files round them to hundredths.
+    """
+    for frames, seconds in ((round(rate), 1.0), (round(1.001 * rate), 1.001)):
+        if frames and abs(frames / seconds - rate) < _ROUNDED:
+            return frames, seconds
+    frames = max(ceil(rate), 1)
+    return frames, frames / rate
+
+
 def _from_csv(path: Path) -> Track:
     with path.open(encoding="utf-8-sig", newline="") as file:
         header, *rows = [row for row in csv.reader(file) if row]
@@ -75,7 +90,7 @@ def _from_csv(path: Path) -> Track:
     if "Timecode" not in names or not rows:
         raise TrackError(f"{path.name}: has no frames with a Timecode; expected a take of Live Link Face")
     clock = names.index("Timecode")
-    times = _times([_clock(row[clock], path) for row in rows])
+    rate, times = _times([_clock(row[clock], path) for row in rows])
     columns = {
         name: [float(row[k]) for row in rows]
         for k, name in enumerate(names)
@@ -84,7 +99,7 @@ def _from_csv(path: Path) -> Track:
     head = {part: columns.pop(f"Head{part.title()}", None) for part in ("pitch", "yaw", "roll")}
     turned = {part: [degrees(angle) for angle in angles] for part, angles in head.items() if angles}
     shapes = {name: values for name, values in columns.items() if not name.endswith(("Yaw", "Pitch", "Roll"))}
-    return Track(times, shapes, turned)
+    return Track(rate, times, shapes, turned)
 
 
 def _clock(text: str, path: Path) -> tuple[float, float]:
@@ -96,14 +111,14 @@ def _clock(text: str, path: Path) -> tuple[float, float]:
     return 3600.0 * hours + 60.0 * minutes + seconds, frame
 
 
-def _times(clocks: list[tuple[float, float]]) -> list[float]:
-    """Return seconds since the first frame; the rate shows where one second ends and the next begins."""
+def _times(clocks: list[tuple[float, float]]) -> tuple[float, list[float]]:
+    """Return the rate, which shows where one second ends and the next begins, and seconds since frame 1."""
     pairs = list(pairwise(clocks))
     steps = [b[1] - a[1] for a, b in pairs if b[0] == a[0]]
     ends = [b[1] - a[1] for a, b in pairs if b[0] - a[0] == 1.0]
     rate = APP_RATE if not ends else max(round((median(steps) if steps else 1.0) - median(ends), 2), 1.0)
     seconds = [whole + frame / rate for whole, frame in clocks]
-    return [second - seconds[0] for second in seconds]
+    return rate, [second - seconds[0] for second in seconds]
 
 
 def _from_json(data: Any, path: Path) -> Track:
@@ -116,4 +131,4 @@ def _from_json(data: Any, path: Path) -> Track:
     head = {part: values.pop(f"head_{part}") for part in ("pitch", "yaw", "roll") if f"head_{part}" in values}
     frames = len(next(iter(values.values())))
     moving = {name: curve for name, curve in values.items() if not name.startswith("gaze_")}
-    return Track([k / rate for k in range(frames)], moving, head)
+    return Track(rate, [k / rate for k in range(frames)], moving, head)

@@ -45,6 +45,8 @@ def rig(
     """
     from ..api import rig as report
     from ..api import speak
+    from ..face.head.head import head_of
+    from ..ports.mesh.rig import lips_apart
     from ..settings import Settings
     from .narration import tell_rig
 
@@ -59,5 +61,7 @@ def rig(
         shown, rows = report(character, map_file=map_file, take=take, output=output, settings=measured)
         for line in tell_rig(shown, rows, guessed=map_file is None):
             click.echo(line)
+        apart = lips_apart(shown, head_of(settings))
+        click.echo(f"# a sealed mouth stays open by {apart:.2f} mm at most, from corner to corner")
         if output is not None:
             console.wrote([output])

@@ -19,7 +19,8 @@ class LiveFrame:
     If they were asked for, `arkit`: weights (52,) 0..1 in the order of its `names`, by which it can be read,
     too (`frame.arkit["jawOpen"]`); and `rotations`:
     yaw, pitch and roll of head, left and right eye (9,) in radians, to the subject's left, up, tilted left.
-    `emotion`: the weights (4,) 0..1 of VRM's presets that emotions alone move.
+    `emotion`: the weights (4,) 0..1 of VRM's presets that emotions alone move; `shut`: by how much the vowels
+    among them are less because the lips close, 0..1.
     """
 
     index: int
@@ -32,6 +33,7 @@ class LiveFrame:
     arkit: ShapeWeights | None = None
     rotations: Array | None = None
     emotion: Array | None = None
+    shut: float = 0.0
 
     def __repr__(self) -> str:
         """Return one line: its number, its time and its sentence."""

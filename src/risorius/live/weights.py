@@ -16,9 +16,11 @@ from threading import Lock
 import numpy as np
 
 from ..core.arrays import Array
+from ..core.lips.closed_lips import shut_lips
 from ..core.parameters import INDEX
 from ..core.shape_weights import named_weights
 from ..face.fit.arkit_fit import NO_WAY, ArkitFit
+from ..face.fit.lip_file import load_lip_rig
 from ..face.frame import FaceFrame
 from ..face.head.eyes import pitch_and_yaw
 from ..face.skin.springs import RATE
@@ -44,6 +46,7 @@ class LiveWeights:
     def __init__(self, settings: Settings) -> None:
         self._solvers = solvers_of(settings)
         self._fps = settings.fps
+        self._lips = load_lip_rig(settings.head)
         with self._solvers.one() as solver:
             self._springs = None if settings.dynamics == "static" else solver.springs()
             self._buffers = solver.buffers()
@@ -58,7 +61,8 @@ class LiveWeights:
         head = frame.values[_HEAD]
         eyes = [(yaw, pitch, 0.0) for pitch, yaw in map(pitch_and_yaw, face.eye_rotation)]
         rotations = np.radians(np.concatenate([head, *eyes]))
-        return replace(frame, arkit=named_weights(weights), rotations=rotations)
+        shut = float(shut_lips(self._lips, frame.values[None])[0])
+        return replace(frame, arkit=named_weights(weights), rotations=rotations, shut=shut)
 
     def _face(self, solver: FaceSolver, time: Fraction, values: Array) -> FaceFrame:
         if self._springs is None:

@@ -12,6 +12,7 @@ from ..core.progress import Progress, quiet
 
 if TYPE_CHECKING:
     from ..core.arrays import Array, ByteArray
+    from ..core.lips.lip_rig import LipRig
     from ..core.performance import Performance
     from ..core.speech.audio import Audio
     from ..core.speech.utterance import Utterance
@@ -41,6 +42,10 @@ class WritableTake(Protocol):
     @property
     def shown_head(self) -> Head:
         """The head that performs, with the looks that the settings choose."""
+
+    @property
+    def head_lips(self) -> LipRig:
+        """The fit of the head's lips, which says how far apart muscles bring them; the head isn't loaded."""
 
     def faces(self, *, progress: Progress = quiet) -> Iterator[FaceFrame]:
         """Yield the solved faces of all frames in order, one at a time."""

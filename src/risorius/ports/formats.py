@@ -48,8 +48,9 @@ class FileFormat:
 
     `module`: the name of the module that writes and reads it. `opaque`: it shows pictures and has no place
     for an alpha channel. `read_suffixes`: the suffixes of files that are read as this format; none if it is
-    only written. `reads`: the settings that it reads beside those of the stages that it needs. `order`: its
-    place in lists; those of the same place go by their suffix.
+    only written. `uses`: data that change it, too, but without which it can be made. `reads`: the settings
+    that it reads beside those of the stages that it needs or uses. `order`: its place in lists; those of the
+    same place go by their suffix.
     """
 
     suffix: str
@@ -58,6 +59,7 @@ class FileFormat:
     module: str
     opaque: bool = False
     read_suffixes: tuple[str, ...] = ()
+    uses: tuple[str, ...] = ()
     reads: tuple[str, ...] = ()
     order: int = _LAST
 
@@ -91,6 +93,7 @@ def register(
     *,
     also_read: tuple[str, ...] = (),
     opaque: bool = False,
+    uses: tuple[str, ...] = (),
     reads: tuple[str, ...] = (),
     order: int = _LAST,
 ) -> None:
@@ -101,7 +104,7 @@ def register(
     """
     _FUNCTIONS[suffix] = (write, read)
     if suffix not in FORMATS:
-        options = {"also_read": also_read, "opaque": opaque, "reads": reads, "order": order}
+        options = {"also_read": also_read, "opaque": opaque, "uses": uses, "reads": reads, "order": order}
         columns = (suffix, description, needs)
         FORMATS.register(suffix)(_format(write.__module__, columns, options, readable=read is not None))
 

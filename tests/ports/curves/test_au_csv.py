@@ -144,3 +144,14 @@ def test_a_number_of_a_face_is_refused_where_faces_have_none(tmp_path: Path) -> 
     (tmp_path / "x.fap").write_text("")
     with pytest.raises(InputError, match="holds one face; expected no --face"):
         play(tmp_path / "x.fap", face=0)
+
+
+def test_the_last_frame_is_held_although_the_file_rounds_its_time(tmp_path: Path) -> None:
+    """Row 8 of 30 per second stands at .233, frame 7 at .23333: it must not fall back to rest."""
+    header = "timestamp, AU01_r, AU12_r, pose_Rx, pose_Ry, pose_Rz"
+    rows = [f"{number / 30:.3f}, 0, 3, 0.1, 0, 0" for number in range(8)]
+    (tmp_path / "x.au.csv").write_text("\n".join([header, *rows]))
+    curves = play(tmp_path / "x.au.csv", settings=Settings(dynamics="static")).curves
+    assert len(curves["head_pitch"]) == 8
+    assert curves["head_pitch"][-1] == pytest.approx(curves["head_pitch"][3])
+    assert abs(curves["head_pitch"][-1]) > 5.0

@@ -10,9 +10,10 @@ from risorius.cli import run
 from risorius.core.arkit import INDEX, SHAPES
 from risorius.errors import InputError, RisoriusError
 from risorius.face.fit.arkit_fit import ArkitFit
+from risorius.face.head.head import load_head
 from risorius.ports.mesh.glb_file import read_glb
 from risorius.ports.mesh.gltf import Gltf
-from risorius.ports.mesh.rig import read_rig
+from risorius.ports.mesh.rig import lips_apart, read_rig
 from risorius.ports.mesh.shape_names import guess_map
 from risorius.take import Take
 
@@ -226,6 +227,18 @@ def test_the_report_says_what_is_shown_and_what_not(tmp_path: Path) -> None:
     assert verdicts["masseter"].verdict == "well"
     assert verdicts["zygomatic_major.left"].left_over < 0.4
     assert all(row.best <= row.left_over + 0.03 for row in rows)
+
+
+def test_the_lips_of_a_character_close_whatever_it_lacks(tmp_path: Path) -> None:
+    """Without a shape that closes the mouth, the jaw does not open under a seal."""
+    for name, missing in (("whole", ()), ("no_close", ("mouthClose",)), ("no_mouth", ("mouth", "jawF"))):
+        names = [shape for shape in SHAPES if not missing or not shape.startswith(missing)]
+        assert lips_apart(read_rig(character(tmp_path / f"{name}.glb", names)), load_head()) < 0.2
+
+
+def test_lips_that_cannot_close_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["rig", str(character(tmp_path / "x.glb", list(SHAPES)))]) == 0
+    assert "# a sealed mouth stays open by 0." in capsys.readouterr().out
 
 
 def test_the_character_performs(tmp_path: Path, clip: Take) -> None:

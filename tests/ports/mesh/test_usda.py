@@ -26,6 +26,7 @@ def test_pixar_s_reader_finds_the_same_face(clip: Take, tmp_path: Path) -> None:
     clip.write(tmp_path / "x.usda")
     stage = Usd.Stage.Open(str(tmp_path / "x.usda"))
     assert stage.GetTimeCodesPerSecond() == 10.0
+    assert stage.GetFramesPerSecond() == 10.0
     assert stage.GetEndTimeCode() == len(clip.times) - 1
     animation = UsdSkel.Animation(stage.GetPrimAtPath("/head/animation"))
     assert tuple(animation.GetBlendShapesAttr().Get()) == SHAPES
@@ -39,3 +40,24 @@ def test_pixar_s_reader_finds_the_same_face(clip: Take, tmp_path: Path) -> None:
     pivot, share = clip.head.head_pivot, np.asarray(clip.head.skin.matrix @ clip.head.neck_weight)[:, None]
     turned = made + share * ((made - pivot) @ frame.head_rotation.T + pivot - made)
     assert np.abs(baked - turned).max() < 0.02
+
+
+def test_pixar_s_reader_turns_the_eyes_with_the_gaze(clip: Take, tmp_path: Path) -> None:
+    """Before, eyeballs were bound to the head alone while the lids' shapes followed the gaze."""
+    pytest.importorskip("pxr", reason="usd-core is not installed")
+    from pxr import Usd, UsdGeom, UsdSkel
+
+    clip.write(tmp_path / "x.usda")
+    stage = Usd.Stage.Open(str(tmp_path / "x.usda"))
+    eyes = [UsdGeom.Mesh(stage.GetPrimAtPath(f"/head/eye_{side}")) for side in ("left", "right")]
+    rests = [1000.0 * np.array(eye.GetPointsAttr().Get()) for eye in eyes]
+    UsdSkel.BakeSkinning(UsdSkel.Root(stage.GetPrimAtPath("/head")))
+    head, looked = clip.head, 0.0
+    for number, frame in enumerate(clip.faces()):
+        for eye, rest, centre, turn in zip(eyes, rests, head.eye_centre, frame.eye_rotation, strict=True):
+            baked = 1000.0 * np.array(eye.GetPointsAttr().Get(number))
+            in_head = (rest - centre) @ turn.T + centre
+            wanted = (in_head - head.head_pivot) @ frame.head_rotation.T + head.head_pivot
+            assert np.abs(baked - wanted).max() < 0.01, number
+            looked = max(looked, np.abs(in_head - rest).max())
+    assert looked > 0.5  # mm: they do move

@@ -7,8 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from risorius import speak
+from risorius.core.parameters import INDEX
 from risorius.core.speech.utterance import Utterance
 from risorius.errors import OutputError, SpeechWarning
+from risorius.face.contact.mouth import Mouth
 from risorius.ports.export_source import WritableTake, WriteOptions
 from risorius.ports.speech.azure_json import write_azure_json
 from risorius.ports.speech.oculus_csv import write_oculus_csv
@@ -19,6 +22,7 @@ from risorius.ports.speech.rhubarb import (
     write_rhubarb_xml,
 )
 from risorius.ports.speech.visemes import OCULUS, viseme_of, viseme_table
+from risorius.settings import Settings
 
 WRITERS = (
     write_rhubarb_json,
@@ -123,3 +127,30 @@ def test_oculus_weights_add_up_and_follow_the_phones(tmp_path: Path, take: Writa
     assert rows[0, 1] == 1.0
     middle_of_m = np.abs(rows[:, 0] - 0.35).argmin()
     assert OCULUS[int(rows[middle_of_m, 1:].argmax())] == "PP"
+
+
+def test_a_closure_is_shown_as_long_as_our_lips_are_sealed(tmp_path: Path) -> None:
+    """By phones alone, two neighbours that fade into a short /m/ leave it .5 of PP and .5 of a vowel."""
+    take = speak("My baby brother put the map by the beam.", settings=Settings(dynamics="static"))
+    take.write(*(tmp_path / f"x.{suffix}" for suffix in ("oculus.csv", "visemes.json", "azure.json")))
+    mouths = json.loads((tmp_path / "x.visemes.json").read_text())["mouthCues"]
+    events = json.loads((tmp_path / "x.azure.json").read_text())["visemes"]
+    rows = np.genfromtxt(tmp_path / "x.oculus.csv", delimiter=",", names=True)
+    mouth = Mouth.of(take.head)
+    heights = mouth.line @ (take.head.skin.matrix @ take.head.rest)[mouth.vertices, 1]
+    sealed = 0
+    for row, frame in zip(rows, take.faces(), strict=True):
+        gap = (mouth.line @ frame.skin[mouth.vertices, 1] - heights).max()
+        if gap < 0.1 and frame.parameters[INDEX["lip_seal"]] > 0.05:
+            sealed += 1
+            assert row["PP"] >= 0.9, row
+            assert max(row[name] for name in ("aa", "E", "ih", "oh", "ou")) == 0.0, row
+            time = row["time_s"]
+            assert [cue["value"] for cue in mouths if cue["start"] <= time < cue["end"]] == ["A"], time
+            assert [e["VisemeId"] for e in events if e["AudioOffset"] <= 1e7 * time][-1] == 21, time
+        if gap > 3.0:
+            assert row["PP"] < 0.7, row
+    assert sealed > 15
+    assert all(a["end"] == b["start"] for a, b in pairwise(mouths))
+    assert [cue["value"] for cue in mouths].count("A") == 9  # My ba-by bro-ther put the ma-p by the bea-m
+    assert np.array([list(row)[1:] for row in rows]).sum(axis=1) == pytest.approx(1.0, abs=1e-3)

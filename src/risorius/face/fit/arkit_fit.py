@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...core.arkit import EXCLUSIVE, INDEX, OPPOSED, SHAPES
-from ...core.arrays import Array, BoolArray, FloatArray
+from ...core.arrays import Array, BoolArray, FloatArray, IntArray
 from ...core.parameters import INDEX as PARAMETER
 from ...machine.blas import one_thread
 from ..contact.lids import FRONT, LID_REACH
@@ -28,6 +28,7 @@ from ..numerics.nonnegative import least_squares
 from ..numerics.robust_fit import FAR, RobustFit, lengths, within_leeway
 from .arkit_direct import DIRECT, direct_weights
 from .arkit_track import ArkitTrack
+from .contact_limits import ContactLimits
 from .shapes import ArkitShapes, arkit_shapes
 
 # Shares of the mean square of a shape that keep nearly parallel and opposed shapes from cancelling each
@@ -69,10 +70,18 @@ class ArkitFit:
         normal = _regular(self._products)
         alone = np.ones(len(SHAPES), dtype=bool)
         alone[_EXCLUSIVE.ravel()] = False
+        self._contact = ContactLimits(head, self.rest, self._moved, normal, self._free)
         self._all = _Normal.of(normal, self._free)
         self._some = _Normal.of(normal, self._free & alone)
         moves = self._fitted.reshape(len(SHAPES), -1, 3)[self._some.free]
         self._moves = np.ascontiguousarray(moves.transpose(1, 2, 0))
+
+    def _moved(self, vertices: IntArray) -> Array:
+        """Return how far the unknowns of the fit displace some vertices (k,): (52, k, 3) mm at 1."""
+        columns = (3 * vertices[:, None] + np.arange(3)).ravel()
+        moved = self.shapes.skin[:, columns].toarray()
+        moved[_CLOSE] += moved[_JAW]
+        return np.asarray(moved.reshape(len(SHAPES), -1, 3))
 
     @classmethod
     @lru_cache(maxsize=2)
@@ -87,15 +96,19 @@ class ArkitFit:
     def of_skin(self, skin: FloatArray, direct: Array | None = None) -> Array:
         """Return the weights (52,) of a level-1 skin (N1, 3) mm; `direct` (52,) are weights without a fit."""
         given = np.zeros(len(SHAPES)) if direct is None else direct
-        return np.asarray(self._solve(self.displacement(skin)[None], given[None]).weights[0])
+        return np.asarray(self._alone(skin, given, NO_WAY).weights[0])
 
     def following(self, frame: FaceFrame, way: Array = NO_WAY) -> tuple[Array, Array]:
         """Return the weights (52,) of a frame alone, for those that wait for it, but for rounding.
 
         `way` (52,) is what this returned beside them for the frame before; it shortens the search.
         """
-        found = self._solve(self.displacement(frame.skin)[None], direct_weights(frame)[None], way)
+        found = self._alone(frame.skin, direct_weights(frame), way)
         return np.asarray(found.weights[0]), found.way
+
+    def _alone(self, skin: FloatArray, direct: Array, way: Array) -> _Solution:
+        """Return the weights of one level-1 skin (N1, 3) mm; `direct` (52,), `way` (52,) as in `_solve`."""
+        return self._solve(self.displacement(skin)[None], self._contact.points(skin)[None], direct[None], way)
 
     def skin(self, weights: Array) -> Array:
         """Return the level-1 skin (N1, 3) in mm of `weights` (52,)."""
@@ -132,14 +145,15 @@ class ArkitFit:
         `displacement` (`BLOCK`, 3 k) is scratch. `way` (52,): how the penalty changed the frame before;
         returned is the last frame's.
         """
-        seen = []
+        seen, touching = [], []
         for row, frame in zip(displacement, frames, strict=False):
             row[:] = self.displacement(frame.skin)
+            touching.append(self._contact.points(frame.skin))
             seen.append((direct_weights(frame), frame.eye_rotation, frame.parameters))
         if not seen:
             return None
         direct, rotations, parameters = map(np.array, zip(*seen, strict=True))
-        weights, way = self._solve(displacement, direct, way)
+        weights, way = self._solve(displacement, np.array(touching), direct, way)
         rms, worst = _residual(displacement - _rows(weights, BLOCK) @ self._basis)
         return (weights, rotations, parameters, rms[: len(seen)], worst[: len(seen)]), way
 
@@ -151,10 +165,11 @@ class ArkitFit:
         """Return the displacement (3 k,) in mm of the visible vertices of a level-1 skin (N1, 3)."""
         return np.asarray((skin.take(self.counted, axis=0) - self._rest_seen).ravel(), dtype=np.float64)
 
-    def _solve(self, displacement: Array, direct: Array, way: Array = NO_WAY) -> _Solution:
+    def _solve(self, displacement: Array, touching: Array, direct: Array, way: Array) -> _Solution:
         """Return the weights (n, 52) of the first n of a block of displacements; `direct` (n, 52).
 
-        `way` (52,): how the penalty changed the weights of the frame before, if there is one.
+        `touching` (n, k, 3) mm are the vertices of lips and lids that touch. `way` (52,): how the penalty
+        changed the weights of the frame before, if there is one.
         """
         direct = direct * self._direct
         size = len(displacement)
@@ -166,6 +181,7 @@ class ArkitFit:
         for k, start in enumerate(starts):
             way = self._way(left[k].reshape(-1, 3), apart[k], rights[k], start, way)
             weights[k] += within_leeway(way)
+        self._contact.keep(weights, touching)
         weights[:, _JAW] += weights[:, _CLOSE]
         weights = np.minimum(weights, 1.0)
         weights[:, _CLOSE] = np.minimum(weights[:, _CLOSE], weights[:, _JAW])

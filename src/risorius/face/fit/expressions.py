@@ -55,17 +55,17 @@ def emotion_presets() -> tuple[str, ...]:
     return tuple(name for name, expression in expressions().items() if expression.muscles)
 
 
-def preset_weights(weights: Array, seal: Array | None = None, emotion: Array | None = None) -> Array:
+def preset_weights(weights: Array, shut: Array | None = None, emotion: Array | None = None) -> Array:
     """Return the presets' weights (frames, presets) 0..1.
 
-    `weights` (frames, 52) are ARKit's; `seal` (frames,) is the parameter `lip_seal`, at which no vowel shows;
+    `weights` (frames, 52) are ARKit's; `shut` (frames,) says by how much vowels are less (`shut_lips`);
     `emotion` (frames, 4) are `emotion_weights`; without them lips are open, and nothing is felt. Vowels that
     together exceed 1 are made smaller in proportion, because avatars add them up.
     """
     names = list(expressions())
     presets = np.clip(weights @ _matrices()[0], 0.0, 1.0)
     vowels = [names.index(name) for name in VOWELS]
-    spoken = presets[:, vowels] if seal is None else presets[:, vowels] * (1.0 - seal[:, None])
+    spoken = presets[:, vowels] if shut is None else presets[:, vowels] * (1.0 - shut[:, None])
     presets[:, vowels] = spoken / np.maximum(spoken.sum(axis=1, keepdims=True), 1.0)
     if emotion is not None:
         presets[:, [names.index(name) for name in emotion_presets()]] = emotion

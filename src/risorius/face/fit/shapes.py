@@ -1,13 +1,12 @@
-"""The 52 ARKit shapes of a head: sculpted shapes from its `shapes.npz`, but the face's own closed lids.
+"""The 52 ARKit shapes of a head: sculpted shapes from its `shapes.npz`, but its own contact of lids and lips.
 
 The sculpted `eyeBlink` moves the lids past each other by a third at weight 1, so that weight 0.66 would close
-the eye, and a character that uses the weights would never close its own. So `eyeBlink` is the face's own
-closed lid.
+the eye, and a character that uses the weights would never close its own. So some shapes are the face's own
+(`contact_shapes`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -24,14 +23,9 @@ from ..head.head import Head
 from ..head.head_file import HeadFile
 from ..muscles.jaw import Jaw
 from ..muscles.tongue import TongueShapes
-from ..solve import FaceSolver
+from .contact_shapes import contact_shapes
 
 FILE = "shapes.npz"
-_SHUT = {
-    INDEX[f"eyeBlink{side.title()}"]: PARAMETER[f"orbicularis_oculi_palpebralis.{side}"]
-    for side in ("left", "right")
-}
-_SMALLEST = 1e-3  # mm: smaller displacements count as 0
 _JAW_OPEN, _TONGUE_OUT = INDEX["jawOpen"], INDEX["tongueOut"]
 
 
@@ -76,18 +70,6 @@ def _cached(path: Path, changed: int, count: int) -> tuple[tuple[Array, ...], Ar
     return tuple(fields), file.array("teeth", (len(SHAPES), 3))
 
 
-def _shut(head: Head) -> Iterator[tuple[int, Array]]:
-    """Yield for each eye its shape, and the displacement (N1, 3) of the skin when its lids meet."""
-    solver = FaceSolver(head)
-    rest = solver.solve(NEUTRAL).skin.astype(np.float64)
-    for shape, parameter in _SHUT.items():
-        values = NEUTRAL.copy()
-        values[parameter] = 1.0
-        moved = solver.solve(values).skin - rest
-        moved[np.abs(moved).max(axis=1) < _SMALLEST] = 0.0
-        yield shape, moved
-
-
 def _moves(file: HeadFile, name: str) -> bool:
     return file.arrays.get(f"shape/{name}/vertices", np.ones(1)).size > 0
 
@@ -95,7 +77,7 @@ def _moves(file: HeadFile, name: str) -> bool:
 def _shapes(head: Head, path: Path, changed: int) -> ArkitShapes:
     fields, shifts = _cached(path, changed, len(head.rest))
     fine = [sp.csr_matrix((head.skin.matrix @ field).reshape(1, -1)) for field in fields]
-    for shape, moved in _shut(head):
+    for shape, moved in contact_shapes(head, fields):
         fine[shape] = sp.csr_matrix(moved.reshape(1, -1))
     jaw, tongue = Jaw.of(head), TongueShapes.of(head)
     teeth = np.repeat(shifts[:, None], len(head.teeth_lower.vertices), axis=1)

@@ -45,6 +45,19 @@ def search(
     wrong: BoolArray,
     weights: Array,
 ) -> None:
+    search(normal, right, scratch, chosen, positive, wrong, weights)
+
+
+@device("sums")
+def search(
+    normal: Array,
+    right: Array,
+    scratch: Array,
+    chosen: IndexArray,
+    positive: BoolArray,
+    wrong: BoolArray,
+    weights: Array,
+) -> None:
     """Write the solution to `weights`; `scratch` (n + 1, n) and `chosen`, `wrong` (n,) are scratch."""
     fewest, patience = len(right) + 1, PATIENCE
     for _ in range(MOST):

@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from ...core.parameters import INDEX
 from ...core.progress import Progress, quiet
 from ...core.speech.audio import Samples
 from ...errors import RisoriusError
@@ -111,5 +110,5 @@ def _moment(frame: LiveFrame) -> ArkitMoment:
     assert frame.arkit is not None
     assert frame.rotations is not None
     assert frame.emotion is not None
-    turns, seal = np.degrees(frame.rotations).reshape(3, 3), float(frame.values[INDEX["lip_seal"]])
-    return ArkitMoment(frame.index, frame.arkit, turns[0], turns[1:], seal, frame.emotion)
+    turns = np.degrees(frame.rotations).reshape(3, 3)
+    return ArkitMoment(frame.index, frame.arkit, turns[0], turns[1:], frame.shut, frame.emotion)

@@ -49,14 +49,15 @@ class ArkitMoment:
     """A frame in ARKit's terms: its `index`, weights (52,), and the rotations of head (3,) and eyes (2, 3) in
     degrees, as in `ArkitTrack`.
 
-    For VRM's presets also the parameter `lip_seal`, and the weights (4,) of those that emotions alone move.
+    For VRM's presets also by how much vowels are less because the lips are `shut`, and the weights (4,) of
+    those that emotions alone move.
     """
 
     index: int
     weights: Array
     head: Array
     eyes: Array
-    seal: float = 0.0
+    shut: float = 0.0
     emotion: Array | None = None
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ...core.lips.closed_lips import shut_lips
 from ...core.progress import Progress, quiet
 from ...face.fit.expressions import emotion_weights
 from ...take import Take
@@ -40,11 +41,12 @@ def send_take(
     frames, fps = len(take.performance.values), take.performance.fps
     packets = line.protocol.make(fps, line.options)
 
-    seal, emotion = take.performance["lip_seal"].tolist(), emotion_weights(take.emotion_curves())
+    shut = shut_lips(take.head_lips, take.performance.values).tolist()
+    emotion = emotion_weights(take.emotion_curves())
 
     def packets_of(index: int) -> Sequence[bytes]:
         turns = track.head[index], track.eyes[index]
-        return packets(ArkitMoment(index, track.weights[index], *turns, seal[index], emotion[index]))
+        return packets(ArkitMoment(index, track.weights[index], *turns, shut[index], emotion[index]))
 
     progress(f"Sending to {line.address} …")
     return send(packets_of, frames, fps, line.address, timer, tcp=line.protocol.tcp)

@@ -49,7 +49,7 @@ def unity_quaternion(angles: Array) -> Array:
 
 def _presets(frame: ArkitMoment) -> Array:
     emotion = None if frame.emotion is None else frame.emotion[None]
-    return np.asarray(preset_weights(frame.weights[None], np.array([frame.seal]), emotion)[0])
+    return np.asarray(preset_weights(frame.weights[None], np.array([frame.shut]), emotion)[0])
 
 
 def _expressions(names: str) -> Sequence[str]:

@@ -2,9 +2,9 @@
 
 Intensities `AUnn_r` run from 0 to 5, presences `AUnn_c` are 1 from intensity 1 on. Axes are those of a
 camera: x to the picture's right, y down, z away; the face looks at it from `DISTANCE` mm; angles in radians,
-the pose's as Rx·Ry·Rz. `AU25` is measured on the lips. Lost: sides, phones' shapes of the lips but for the
-units' own, units that OpenFace does not know, wrinkles. OpenFace's eye and face landmarks are left out, as it
-may itself.
+the pose's as Rx·Ry·Rz. `AU25` is measured on the lips. Lost: closures (nothing says that lips touch over a
+low jaw), sides, phones' shapes of the lips but for the units' own, units that OpenFace does not know,
+wrinkles. OpenFace's eye and face landmarks are left out, as it may itself.
 """
 
 from __future__ import annotations

@@ -1,8 +1,9 @@
 """`.fap`: MPEG-4 facial animation parameters (ISO/IEC 14496-2) as text, as Greta and its family read them.
 
 A header `2.1 name fps frames`, then two lines per frame: 68 flags, and the frame's number with a whole number
-for each flag that is 1. Only low-level parameters (3 to 68) are set. Lost: cheeks, chin boss, ears, wrinkles,
-fractions of a unit, and frame rates that are not whole numbers (rounded).
+for each flag that is 1. Only low-level parameters (3 to 68) are set. Lost: closures (nothing says that lips
+touch over a low jaw), cheeks, chin boss, ears, wrinkles, fractions of a unit, and frame rates that are not
+whole numbers (rounded).
 """
 
 from __future__ import annotations

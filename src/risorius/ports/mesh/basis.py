@@ -1,4 +1,7 @@
-"""A clip's own basis: the few shapes that its frames are made of, found frame by frame."""
+"""A clip's own basis: the few shapes that its frames are made of, found frame by frame.
+
+Weights of shapes are 0 to 1 in what others read: Blender and engines cut them off there.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +14,7 @@ from ...machine.kernels.jit import kernel
 
 TOLERANCE = 0.3  # mm by which a vertex may be off before the basis grows
 MOST = 40
-ROOM = 160  # shapes gathered before the least of them are dropped
+ROOM = 256  # shapes gathered before the least of them are dropped: half a minute with an emotion needs 210
 BLOCK = 32  # frames that are compared with the shapes at once: the shapes are read from memory once for all
 
 
@@ -19,6 +22,7 @@ BLOCK = 32  # frames that are compared with the shapes at once: the shapes are r
 class ClipBasis:
     """Shapes that span the frames shown of `points` (n, 3), within `tolerance` mm, `most` at most.
 
+    `importance` (n,) is by how much less than `tolerance` each point may be off (None: all alike).
     A frame that the shapes so far do not make joins them, less what they make of it (Gram-Schmidt); so one
     pass is enough and memory does not grow with the clip. At the end the shapes are turned to their
     principal axes. Of all points only those that have moved are compared.
@@ -27,9 +31,13 @@ class ClipBasis:
     rest: Array
     tolerance: float = TOLERANCE
     most: int = MOST
+    importance: Array | None = None
     _start: Float32Array = field(init=False)
     _columns: IndexArray = field(init=False)
     _shapes: Float32Array = field(init=False)
+    _scale: Array = field(init=False)
+    _important: IndexArray = field(init=False)
+    _factors: Float32Array = field(init=False)
     _count: int = 0
     _block: Float32Array = field(init=False)
     _waiting: int = 0
@@ -40,6 +48,9 @@ class ClipBasis:
         self._start = self.rest.astype(np.float32)
         self._columns, self._shapes = np.zeros(0, np.intp), np.zeros((ROOM, 0), np.float32)
         self._block = np.empty((BLOCK, self.rest.size), np.float32)
+        self._scale = np.ones(len(self.rest)) if self.importance is None else self.importance
+        self._important = np.flatnonzero(np.repeat(self._scale != 1.0, 3))
+        self._factors = np.repeat(self._scale, 3)[self._important].astype(np.float32)
 
     def show(self, points: FloatArray) -> None:
         """Take in the next frame, points (n, 3) in mm."""
@@ -54,7 +65,9 @@ class ClipBasis:
         """Find the weights of the frames that wait; those that shapes do not make add one each."""
         if not self._waiting:
             return
-        rest = self._of_moving(self._block[: self._waiting])
+        block = self._block[: self._waiting]
+        block[:, self._important] *= self._factors
+        rest = self._of_moving(block)
         self._waiting = 0
         weights = np.zeros((len(rest), ROOM), np.float32)
         self._split(rest, weights)
@@ -101,6 +114,7 @@ class ClipBasis:
         scale = np.maximum(np.abs(turned).max(axis=0), 1e-9)
         shapes = np.zeros((len(turn), self.rest.size))
         shapes[:, self._columns] = (turn * scale[:, None]) @ found.astype(np.float64)
+        shapes[:, self._important] /= self._factors
         return shapes.reshape(len(turn), *self.rest.shape), turned / scale
 
     def _drop(self, weights: Array, shapes: Float32Array) -> None:
@@ -114,6 +128,7 @@ class ClipBasis:
     def _errors_of(self, rest: Float32Array) -> Array:
         """Return the mean square over all points and the largest distance in each frame, (k, 2)."""
         distances = _distances(rest)
+        distances /= self._scale[self._columns[::3] // 3]
         squares = (distances**2).sum(axis=1) / len(self.rest)
         return np.stack([squares, distances.max(axis=1, initial=0.0)], axis=1)
 
@@ -129,6 +144,20 @@ class ClipBasis:
         made = rest @ shapes.T
         weights[:, : self._count] += made
         rest -= made @ shapes
+
+
+def nonnegative(shapes: Array, weights: Array) -> tuple[Array, Array]:
+    """Return shapes (k + 1, n, 3) and weights (frames, k + 1) 0..1 that make what the given ones make.
+
+    The last shape is minus the sum of the others: it takes back what makes their weights positive.
+    """
+    if not len(shapes):
+        return shapes, weights
+    taken_back = np.maximum(-weights.min(axis=1, keepdims=True), 0.0)
+    raised = np.concatenate([weights + taken_back, taken_back], axis=1)
+    scale = max(float(raised.max()), 1e-9)
+    scaled = shapes * scale
+    return np.concatenate([scaled, -scaled.sum(axis=0, keepdims=True)]), raised / scale
 
 
 def _distances(rest: Float32Array) -> Float32Array:

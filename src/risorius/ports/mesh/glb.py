@@ -17,6 +17,7 @@ import numpy as np
 
 from ...core.arkit import SHAPES
 from ...core.arrays import Array, Float32Array
+from ...face.contact.mouth import Mouth
 from ...face.fit.shapes import ArkitShapes, arkit_shapes
 from ...face.frame import FaceFrame
 from ...face.head.head import Head
@@ -25,12 +26,13 @@ from ...looks.parts import Part
 from ...looks.root_attachment import RootedHairs
 from ..export_source import WritableTake, WriteOptions
 from ..formats import register
-from .basis import ClipBasis
+from .basis import ClipBasis, nonnegative
 from .glb_scene import GlbScene
 from .gltf import Animation, Gltf, clip_times, quaternions
 
 GENERATOR = "Risorius"
 _SMALL = 1e-3  # mm: smaller displacements count as zero
+_LIPS = 4.0  # how much more exactly than other skin a clip's own shapes show lips: a gap of .2 mm is seen
 _SHOWN = ("skin", "tongue", "teeth_lower", "lashes")
 """Parts whose points in each frame make a clip's shapes. Brows turn little: they follow the skin's shapes."""
 
@@ -45,20 +47,23 @@ def write_glb(take: WritableTake, path: Path, options: WriteOptions) -> None:
         return
     lashes, brows = (RootedHairs(model, (name,)) for name in ("lashes", "brows"))
     rest = np.concatenate([parts[name].points for name in _SHOWN])
-    basis, turns = ClipBasis(rest), Turns()
+    basis, turns = ClipBasis(rest, importance=_importance(head, len(rest))), Turns()
     for frame in take.faces(progress=options.progress):
         grown = lashes.points(frame.skin.astype(np.float64)).values()
         basis.show(np.concatenate([frame.skin, frame.tongue, frame.teeth_lower, *grown]))
         turns.append(frame)
-    shapes, weights = basis.finish()
+    shapes, weights = nonnegative(*basis.finish())
     rms, worst = basis.residual
     gltf = Gltf(**_asset(options, residual_rms_mm=round(rms, 4), residual_worst_mm=round(worst, 4)))
     cuts = np.cumsum([len(parts[name].points) for name in _SHOWN])[:-1]
     moving = {
         f"clip_{number:02d}": _moves(brows, dict(zip(_SHOWN, np.split(shape, cuts), strict=True)))
-        for number, shape in enumerate(shapes)
+        for number, shape in enumerate(shapes[:-1])
     }
-    scene = GlbScene(head, gltf, parts, moving)
+    back = f"clip_{len(moving):02d}"
+    if moving:
+        moving[back] = _minus_sum(list(moving.values()))
+    scene = GlbScene(head, gltf, parts, moving, back=back)
     scene.build()
     animate(scene, clip_times(take), dict(zip(moving, weights.T, strict=True)), turns)
     gltf.save(path)
@@ -131,6 +136,19 @@ def animate(scene: GlbScene, times: Array, weights: Mapping[str, Array], turns: 
     for node, rotations in turns.all().items():
         animation.drive(scene.nodes[node], "rotation", rotations)
     animation.finish()
+
+
+def _importance(head: Head, count: int) -> Array:
+    """Return how much more exactly than others each of `count` points, the skin's first, is shown."""
+    importance = np.ones(count)
+    importance[Mouth.of(head).vertices] = _LIPS
+    return importance
+
+
+def _minus_sum(moves: list[dict[str, Array]]) -> dict[str, Array]:
+    """Return minus the sum of displacements by part."""
+    names = dict.fromkeys(name for move in moves for name in move)
+    return {name: -np.sum([move[name] for move in moves if name in move], axis=0) for name in names}
 
 
 def _moves(hairs: RootedHairs, moved: Mapping[str, Array]) -> dict[str, Array]:

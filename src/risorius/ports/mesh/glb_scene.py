@@ -18,6 +18,7 @@ from .gltf import INDICES, VERTICES, Gltf
 
 METRES = 0.001
 _LINEAR, _MIPMAPS, _EDGE = 9729, 9987, 33071  # glTF's numbers of filters and of the clamped edge
+_TYPICAL = 0.2  # weight of a clip's own shapes for which normals are exact
 _EYES = ("eye_left", "eye_right")
 
 
@@ -29,7 +30,8 @@ class GlbScene:
     `moving` are displacements (n, 3) mm of parts by morph target: {"jawOpen": {"skin": …, "tongue": …}}.
     With `lit`, for our own page, colours are those of things without shade (`glb_paint` for others), and
     hairs say at each vertex (`_LIGHT`) which share of light reaches it, and how strong its highlights are,
-    but have no normals.
+    but have no normals. The morph target `back`, if there is one, is the last and moves all that others move
+    by minus their sum: normals change so, too, although they are not linear.
     """
 
     head: Head
@@ -38,6 +40,7 @@ class GlbScene:
     moving: Mapping[str, Mapping[str, Array]] = field(default_factory=dict)
     posed: Mapping[str, Array] = field(default_factory=dict)
     lit: bool = False
+    back: str = ""
     nodes: dict[str, int] = field(default_factory=dict)
     targets: dict[str, tuple[str, ...]] = field(default_factory=dict)
     _normals: dict[str, Array] = field(default_factory=dict)
@@ -107,19 +110,27 @@ class GlbScene:
         mesh: dict[str, object] = {"name": part.name, "primitives": [primitive]}
         named = {target: moved[part.name] for target, moved in self.moving.items() if part.name in moved}
         if named:
-            primitive["targets"] = [self._target(part, move) for move in named.values()]
+            primitive["targets"] = self._targets(part, named)
             mesh["extras"] = {"targetNames": list(named)}
             mesh["weights"] = [0.0] * len(named)
             self.targets[part.name] = tuple(named)
         return gltf.add("meshes", mesh)
 
-    def _target(self, part: Part, move: Array) -> dict[str, int]:
-        target = {"POSITION": self.gltf.sparse((move * METRES).astype(np.float32))}
-        if part.roots is None:
-            change = normals(part.points + move, part.triangles) - self._normals[part.name]
-            still = np.abs(change).max(axis=1) < 1e-3
-            target["NORMAL"] = self.gltf.sparse(np.where(still[:, None], 0.0, change).astype(np.float32))
-        return target
+    def _targets(self, part: Part, moves: Mapping[str, Array]) -> list[dict[str, int]]:
+        targets, turned = [], np.zeros_like(part.points)
+        for name, move in moves.items():
+            target = {"POSITION": self.gltf.sparse((move * METRES).astype(np.float32))}
+            if part.roots is None:
+                change = -turned if name == self.back else self._normal_change(part, move)
+                target["NORMAL"] = self.gltf.sparse(change.astype(np.float32))
+                turned += change
+            targets.append(target)
+        return targets
+
+    def _normal_change(self, part: Part, move: Array) -> Array:
+        share = _TYPICAL if self.back else 1.0
+        change = (normals(part.points + share * move, part.triangles) - self._normals[part.name]) / share
+        return np.where(np.abs(change).max(axis=1, keepdims=True) < 1e-3, 0.0, change)
 
     def _neck(self) -> dict[str, int]:
         share = np.clip(self.head.skin.matrix @ self.head.neck_weight, 0.0, 1.0)

@@ -15,6 +15,7 @@ from ...core.parameters import NEUTRAL
 from ...errors import InputError, Place, unknown
 from ...face.fit.arkit_fit import ArkitFit
 from ...face.fit.arkit_track import ArkitTrack
+from ...face.fit.mouth_gap import MouthGap
 from ...face.fit.muscle_fit import FITTED
 from ...face.head.head import Head
 from ...face.solve import FaceSolver
@@ -148,6 +149,21 @@ def report(rig: Rig, head: Head) -> list[MuscleCoverage]:
         share = [min(rms / max(moved, 1e-9), 1.0) for rms in left]
         rows.append(MuscleCoverage(name, share[0], share[1], left[0]))
     return rows
+
+
+@one_thread()
+def lips_apart(rig: Rig, head: Head) -> float:
+    """Return by how many mm the character's lips stay apart, at most, where ours are sealed.
+
+    It is measured at 19 places from corner to corner on `head`, whose jaw opens up to 0.2 under the seal.
+    """
+    fit, solver, gap = ArkitFit(head, rig.shapes), FaceSolver(head), MouthGap.of(head)
+    widest = []
+    for jaw in (0.0, 0.1, 0.2):
+        values = np.array(NEUTRAL)
+        values[[PARAMETER["masseter"], PARAMETER["lip_seal"]]] = jaw, 1.0
+        widest.append(gap(fit.skin(fit.weights(solver.solve(values)))).max())
+    return max(float(max(widest)), 0.0)
 
 
 def animated(rig: Rig, track: ArkitTrack, times: Array) -> GlbFile:

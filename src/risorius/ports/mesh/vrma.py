@@ -16,6 +16,7 @@ import numpy as np
 
 from ...core.arkit import SHAPES, column_of
 from ...core.arrays import Array
+from ...core.lips.closed_lips import shut_lips
 from ...core.parameters import INDEX
 from ...face.fit.expressions import emotion_weights, expressions, preset_weights
 from ...face.numerics.rotations import head_rotation
@@ -78,8 +79,8 @@ def _preset_kinds(names: str) -> dict[str, str]:
 
 
 def _preset_curves(take: WritableTake, weights: Array) -> Array:
-    seal = take.performance.values[:, INDEX["lip_seal"]]
-    return preset_weights(weights, seal, emotion_weights(take.emotion_curves()))
+    shut = shut_lips(take.head_lips, take.performance.values)
+    return preset_weights(weights, shut, emotion_weights(take.emotion_curves()))
 
 
 def _bones(gltf: Gltf) -> dict[str, int]:

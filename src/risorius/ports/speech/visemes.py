@@ -7,6 +7,12 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
+import numpy as np
+
+from ...core.arrays import Array
+from ...core.lips.closed_lips import closed_lips
+from ...core.lips.lip_rig import SEAL
+from ...core.parameters import INDEX
 from ...core.speech.utterance import Phone, Utterance
 from ...errors import OutputError, SpeechWarning, warn
 from ...languages.phones import check_phones
@@ -18,6 +24,9 @@ from ..export_source import WritableTake
 OCULUS = ("sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "ih", "oh", "ou")
 """The 15 visemes of OVRLipSync, in its order."""
 TABLE = "visemes.toml"
+NEAR = 0.08
+"""Seconds before and after a bilabial within which its lips are sealed."""
+_SEALED = 0.99  # share of a closure from which on lips count as sealed
 NEUTRAL = "AH"
 """The phone shown for an unknown one: the lips of a neutral vowel."""
 
@@ -76,6 +85,43 @@ def known_viseme(symbol: str) -> Viseme | None:
 def cues(utterance: Utterance, shapes: Callable[[Viseme], tuple[str, ...]], silence: str) -> list[Cue]:
     """Return shapes that cover the utterance without a gap; equal neighbours are one."""
     return list(_merged(_each(utterance.phones, shapes, silence)))
+
+
+def shown_cues(
+    take: WritableTake, shapes: Callable[[Viseme], tuple[str, ...]], silence: str, closed: str
+) -> list[Cue]:
+    """Return the cues of what is said, with the shape `closed` as long as our own lips are sealed.
+
+    Lips close a little before a phone begins, and may open after it has ended; its neighbours are shorter by
+    that.
+    """
+    phones = cues(said(take), shapes, silence)
+    edges = np.array([*(cue.start for cue in phones), phones[-1].end])
+    first, last = edges[[0, -1]]
+    bilabials = [number for number, cue in enumerate(phones) if cue.shape == closed]
+    for start, end in _sealed_spans(take) if bilabials else ():
+        away = [max(phones[number].start - end, start - phones[number].end) for number in bilabials]
+        number = bilabials[int(np.argmin(away))]
+        if min(away) < NEAR:
+            edges[: number + 1] = np.minimum(edges[: number + 1], start)
+            edges[number + 1 :] = np.maximum(edges[number + 1 :], end)
+    edges = np.clip(edges, first, last)
+    spans = zip(edges.tolist(), edges[1:].tolist(), phones, strict=False)
+    return list(_merged(Cue(start, end, cue.shape) for start, end, cue in spans if start < end))
+
+
+def _sealed_spans(take: WritableTake) -> list[tuple[float, float]]:
+    """Return the spans in seconds in which our lips are sealed: half a frame around their frames."""
+    frames, half = np.flatnonzero(sealed(take) > _SEALED), 0.5 / float(take.performance.fps)
+    runs = np.split(frames, np.flatnonzero(np.diff(frames) > 1) + 1) if len(frames) else []
+    times = take.performance.times
+    return [(float(times[run[0]]) - half, float(times[run[-1]]) + half) for run in runs]
+
+
+def sealed(take: WritableTake) -> Array:
+    """Return how far our own lips are sealed in each frame (frames,): 1 where they touch by a seal."""
+    curves = take.performance.values
+    return closed_lips(take.head_lips, curves) if curves[:, INDEX[SEAL]].any() else np.zeros(len(curves))
 
 
 def said(take: WritableTake) -> Utterance:
