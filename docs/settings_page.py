@@ -43,7 +43,8 @@ def page() -> str:
 
 def _refusal(source: InputKind) -> str:
     refused = ", ".join(stage for stage in Stage if stage not in source.stages)
-    refused += "".join(f", but not `{name}`" for name in source.also)
+    if source.also:
+        refused += f", but not {' and '.join(f'`{name}`' for name in source.also)}"
     return f"| {source.what} | {refused} | {source.reason.partition(';')[0]} |\n"
 
 

@@ -45,11 +45,12 @@ def search(
     wrong: BoolArray,
     weights: Array,
 ) -> None:
-    search(normal, right, scratch, chosen, positive, wrong, weights)
+    """Write the solution to `weights`, as `find_positive` does."""
+    find_positive(normal, right, scratch, chosen, positive, wrong, weights)
 
 
 @device("sums")
-def search(
+def find_positive(
     normal: Array,
     right: Array,
     scratch: Array,

@@ -13,7 +13,7 @@ import numpy as np
 
 from ...core.arrays import Array, BoolArray, IndexArray
 from ...machine.kernels.jit import device, kernel
-from .nonnegative import search
+from .nonnegative import find_positive
 
 STEPS, STILL = 60, 1e-9  # the most steps; one that moves every unknown by less is the last
 SHORTEST = 1e-3  # the least share of a step that is tried
@@ -78,7 +78,7 @@ def _minimize(
             positive[i] = weights[i] > 0.0
             here[i] = weights[i]
         cost = _gather(normal, right, rows, limit, stiff, weights, model, side, slope)
-        search(model, side, scratch, chosen, positive, wrong, end)
+        find_positive(model, side, scratch, chosen, positive, wrong, end)
         farthest = 0.0
         for i in range(len(weights)):
             farthest = max(farthest, abs(end[i] - here[i]))
