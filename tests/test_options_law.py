@@ -61,6 +61,7 @@ VALUES: dict[str, list[str]] = {
     "emotions": ["--emotion", "anger:0.5"],
     "audio": ["--audio", "x.wav"],
     "transcript": ["--transcript", "Ah."],
+    "face": ["--face", "1"],
     "protocol": ["--protocol", "vmc"],
     "to": ["--to", "10.0.0.1"],
     "listen": ["--listen", "127.0.0.1"],
@@ -285,6 +286,7 @@ CHANGING = {
     **dict.fromkeys(("map_file", "perform", "output"), "the character: tests/ports/mesh/test_rig.py"),
     "transcript": "words: tests/speech/test_from_recording.py",
     "parameter": "what explain prints",
+    "face": "one of several faces: tests/ports/curves/test_au_csv.py",
     **dict.fromkeys(("parameters", "start", "end"), "what is drawn: tests/charts"),
     **dict.fromkeys(("presets", "configs"), "settings: tests/settings/test_presets.py"),
     **dict.fromkeys(

@@ -19,7 +19,7 @@ FAST = ["--fps", "10"]
     [
         (["play", "none.arkit.csv", "-o", "y.muscles.csv"], "none.arkit.csv: cannot be read"),
         (["play", "none.arkit.csv"], "no output named; expected -o y.mp4"),
-        (["play", "x.txt", "-o", "y.muscles.csv"], "unknown kind of capture '.txt'"),
+        (["play", "x.txt", "-o", "y.muscles.csv"], "x.txt: is to be spoken; expected risorius speak"),
         (["stream", "Hi.", "--protocol", "livlink"], "unknown protocol 'livlink'; did you mean 'livelink'?"),
         (["stream", "Hi.", "--to", "host:x"], "'host:x' is not an address"),
         (["stream", "Hi.", "--to", "a", "--listen", "b"], "--to and --listen exclude each other"),

@@ -78,8 +78,9 @@ def test_take_pictures_and_what_is_told_are_the_same(
 
 def test_warnings_are_passed_on(started: list[Worker], tmp_path: Path) -> None:
     words = tmp_path / "words.wav"
-    speak("Mum put the map by the beam.", text=True).write(words)
-    line: dict[str, Any] = {"script": "Mum put the map by the deep blue sea.", "audio": words, "text": True}
+    speak("Mum put the map by the beam, and then she went home.", text=True).write(words)
+    other = "Mum put the elephant by the beam, and then she went home."
+    line: dict[str, Any] = {"script": other, "audio": words, "text": True}
     *_, here = told_by(lambda progress: speak(**line, settings=SMALL, progress=progress))
     *_, beside = told_by(lambda progress: speak_and_prepare(line, SMALL, progress))
     assert here

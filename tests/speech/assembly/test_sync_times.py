@@ -72,7 +72,7 @@ def test_phones_follow_one_another() -> None:
             'Hello <sync id="a" time="1.0"/>my <sync id="t" time="0.7"/>friend',
             "it is not after the one before it",
         ),
-        ('Hel<sync id="t" time="1.0"/>lo my friend', "it is inside a word"),
+        ('My co<sync id="t" time="1.0"/>-operative friend', "it is inside a word"),
         ('Hello <sync id="t" time="9"/><sync id="u" time="9.5"/>friend', r"times as slow"),
     ],
 )

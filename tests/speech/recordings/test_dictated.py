@@ -48,7 +48,7 @@ def test_the_file_s_own_timing_is_kept_with_its_recording(tmp_path: Path) -> Non
     spoken = synthesize_script(script)
     wav = tmp_path / "x.wav"
     risorius.speak("examples/05-timed.utt").write(wav)
-    _, heard = align_recording(Recording(wav, None, script))
+    _, heard = align_recording(Recording(wav, script=script))
     lead = heard.words[0].start - spoken.words[0].start
     assert abs(lead) < 0.15
     ours, theirs = ([p for p in said.phones if p.symbol] for said in (heard, spoken))
@@ -64,4 +64,4 @@ def test_phones_without_durations_are_not_dropped_in_silence(tmp_path: Path) -> 
     file.write_text("text: (Oh really)\nphonemes: (ow r'ihliy)\n")
     risorius.speak("Oh really").write(wav)
     with pytest.warns(SpeechWarning, match="phonemes without durations are not used with a recording"):
-        align_recording(Recording(wav, None, read_script(str(file))))
+        align_recording(Recording(wav, script=read_script(str(file))))
