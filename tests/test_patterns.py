@@ -13,7 +13,9 @@ from pathlib import Path
 import pytest
 
 import risorius
+from risorius import languages
 from risorius.languages import language_of
+from risorius.languages.readings import readings_of
 
 from .fuzz.guard import HangError, bounded
 from .profiles import samples
@@ -21,6 +23,7 @@ from .profiles import samples
 LENGTH = 50_000
 CHARACTERS = samples("0a_ .,:;-+*#\"'()[]{}<>=/\\%@!?\n\t&$é…。", "0a .!\n")
 PREFIXES = samples(("", "a", "1", '"', "#", "a:"), ("",))
+LANGUAGES = sorted(table.parent.name for table in Path(languages.__path__[0]).glob("*/readings.toml"))
 _USES = {"compile", "match", "fullmatch", "search", "sub", "split", "finditer", "findall"}
 
 
@@ -36,6 +39,10 @@ def _patterns() -> dict[str, re.Pattern[str]]:
         patterns |= {f"{path.stem}:{line}": p for line, p in _written(path.read_text())}
     for code in ("en-us", "de", "fr-fr", "es", "it", "nl", "pt"):
         patterns[f"abbreviations of {code}"] = language_of(code).abbreviations.pattern
+    for code in LANGUAGES:
+        readings = readings_of(code)
+        rules = (*readings.own, *readings.rules("en-gb"), *readings.rules())
+        patterns |= {f"readings of {code}, {n}": rule.pattern for n, rule in enumerate(rules)}
     return {name: p for name, p in patterns.items() if isinstance(p.pattern, str)}
 
 

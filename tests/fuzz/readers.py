@@ -37,6 +37,7 @@ from risorius.script.textgrid import read_textgrid
 from risorius.settings import Settings, settings_of
 from risorius.speech.engines.program import ProgramEngine
 from risorius.speech.engines.protocol import SpeechRequest, Voice
+from risorius.speech.input import read_transcript
 from risorius.speech.recordings.labelled import utterance_of_labels
 from risorius.speech.recordings.recording import read_recording
 from risorius.studio.decoding import decode
@@ -51,6 +52,10 @@ COARSE = Settings(fps=Fraction(2))
 
 def _script(path: Path) -> object:
     return read_script(str(path))
+
+
+def _transcript(path: Path) -> object:
+    return read_transcript(str(path))
 
 
 def _labels(path: Path) -> object:
@@ -184,7 +189,66 @@ BML = (
     b'<constraint><synchronize ref="s:end"><sync ref="f:end"/></synchronize></constraint></bml>'
 )
 
+MARKDOWN = """---
+title: Order
+---
+# Your *order*
+
+Thanks! **What happens** next, and ***all*** of __it__ ~~now~~ &amp; `soon`[^1]:
+
+- [x] We _pack_ it, see [our page](https://x.org/a?b=(c) "Page") and ![a chart](c.png) at <https://x.org>.
+2. <b>Two</b> \\* three.
+
+> said
+> so
+
+Title
+=====
+| item | price |
+|:-----|------:|
+| lamp | $20   |
+
+***
+```py
+x = 1
+```
+[1]: https://x.org
+[cut off](https://ex"""
+TRANSCRIPT = """Speakers: Anna, Dr. Lee
+0:05 Anna: The old man [laughs] walked *coughs* his dog (sighs).
+0:09 >> Dr. Lee: \u266a la \u266a {breath} <noise> \u3010\u7b11\u3011 *really*
+"""
+SRT = """1
+00:00:01,000 --> 00:00:03,500
+<i>The old man</i> walked
+{\\an8}his dog &amp; cat.
+
+2
+00:00:04,000 --> 00:00:05,000
+- ANNA: Yes. [door slams]
+3
+00:00:06,000 --> 00:00:07,250
+ANNA: No.
+"""
+VTT = """WEBVTT - a film
+
+STYLE
+::cue { color: red }
+
+first
+00:01.000 --> 00:02.500 align:start
+<v Anna>Hello <00:01.500>there.</v>
+
+01:00:02.000 --> 01:00:03.000
+Late.
+"""
+
 register(".txt", _script, "Hello there! *How* are you, Dr. Smith? $5.50, e.g.\n\nTwo…".encode())
+register(".md", _script, MARKDOWN.encode())
+register(".markdown", _script, MARKDOWN.encode())
+register(".lab", _transcript, TRANSCRIPT.encode(), MARKDOWN.encode())
+register(".srt", _transcript, SRT.encode())
+register(".vtt", _transcript, VTT.encode())
 register(".xml", _script, EXAMPLES / "demo.xml", EXAMPLES / "04-intonation.xml")
 register(".utt", _script, EXAMPLES / "01-julia.utt", EXAMPLES / "05-timed.utt")
 register(".ssml", _script, EXAMPLES / "02-news.ssml")

@@ -29,6 +29,7 @@ from risorius.script.read import READERS as SCRIPTS
 from risorius.script.suffixes import RECORDING_SUFFIXES
 from risorius.settings import Settings, settings_of
 from risorius.settings.declare import rows
+from risorius.speech.input import TRANSCRIPT_SUFFIXES
 from risorius.studio.request_table import VERBS
 from risorius.studio.wire.requests import EDITS
 
@@ -45,8 +46,8 @@ CASES = int(os.environ.get("RISORIUS_FUZZ", samples(2000, 12)))
 COUNTED = samples(18_000, 144)
 PACKAGE_TABLES = {
     "Articulation", "Attitude", "BmlTable", "Bulge", "Expression", "FuzzyTable", "LabelTable", "MarkupTable",
-    "PhoneInventory", "Priors", "ProsodyRules", "RegionRow", "Saccade", "SsmlTable", "Synchrony", "Tradeoffs",
-    "Viseme", "VoiceEmotions",
+    "PhoneInventory", "Priors", "ProsodyRules", "RegionRow", "Saccade", "SsmlTable", "Synchrony", "TagTable",
+    "Tradeoffs", "Viseme", "VoiceEmotions",
 }  # fmt: skip
 """Tables that only the package's own files hold."""
 PARSERS = {
@@ -97,7 +98,7 @@ _TABLE_READER = re.compile(r"\b(?:(?:load|parse)(?:_file|_folder|_rows)?|build)\
 
 def test_every_format_has_a_fuzzed_reader() -> None:
     read = {suffix for name in FORMATS for suffix in FORMATS.get(name).read_suffixes}
-    assert not {*read, *SCRIPTS} - READERS.keys()
+    assert not {*read, *SCRIPTS, *TRANSCRIPT_SUFFIXES} - READERS.keys()
 
 
 def test_every_recording_and_message_has_a_fuzzed_reader() -> None:
@@ -131,6 +132,7 @@ def _tables(path: Path) -> set[str]:
     return set(_TABLE_READER.findall(path.read_text())) - {"Path"}
 
 
+@pytest.mark.filterwarnings("ignore:.*left out:risorius.errors.RisoriusWarning")  # of what is not words
 @pytest.mark.parametrize("suffix", READERS)
 def test_a_right_file_is_read(suffix: str, tmp_path: Path) -> None:
     for number, data in enumerate(READERS[suffix].samples()):

@@ -27,6 +27,8 @@ SPEAKERS = [
     ("ANNA: Hi.\nBO: Hello.\nANNA: Bye.\nBO: Bye.", "Hi. Hello. Bye. Bye."),
     ("Anna: Hi.\nBo: Hello.", "Anna: Hi. Bo: Hello."),
     ("Speakers: Anna, Bo\nAnna: Hi.\nBo: Hello.", "Hi. Hello."),
+    ("Anna: Hi.\n \nBo: Hello.", "Anna: Hi. Bo: Hello."),
+    ("0:01\nAnna: Hi.\n0:05\nBo: Hello.", "Anna: Hi. Bo: Hello."),
     ("Note: one.\nNote: two.", "Note: one. Note: two."),
     ("10:30 is late.\nWe left at 10:40.", "10:30 is late. We left at 10:40."),
     ("0:05 Anna: Hi.\n0:09 Bo: Hm.\n0:12 Anna: Bye.", "Hi. Bo: Hm. Bye."),

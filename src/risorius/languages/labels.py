@@ -12,7 +12,7 @@ from ..reading.toml import package_text, parse
 from .phones import inventory
 
 TABLE = "labels.toml"
-_BRACKETED = re.compile(r"<.+>|\[.+\]|\{.+\}", re.DOTALL)
+_BRACKETS = ("<>", "[]", "{}")
 # Kaldi's names tell where in its word a phone stands: begin, inside, end, single.
 _POSITION = re.compile(r"_[BIES]$")
 _STRESS = {'"': "ˈ", "%": "ˌ"}
@@ -75,10 +75,15 @@ def without_position(label: str) -> str:
 def is_quiet_word(text: str) -> bool:
     """Tell whether a label in a tier of words stands for silence or noise."""
     plain = text.strip()
-    return plain.lower() in label_table().quiet_words or _BRACKETED.fullmatch(plain) is not None
+    return plain.lower() in label_table().quiet_words or _is_bracketed(plain)
 
 
 def is_quiet_phone(text: str) -> bool:
     """Tell whether a label in a tier of phones stands for silence or noise."""
     plain = without_position(text)
-    return plain.lower() in label_table().quiet_phones or _BRACKETED.fullmatch(plain) is not None
+    return plain.lower() in label_table().quiet_phones or _is_bracketed(plain)
+
+
+def _is_bracketed(label: str) -> bool:
+    """Tell whether something stands between brackets, which begin and end the label."""
+    return len(label) > len("[]") and label[0] + label[-1] in _BRACKETS

@@ -145,7 +145,7 @@ class SpokenReadings:
         """
         taken: list[Replacement] = []
         covered = bytearray(len(text))
-        for pattern, read in (*self.own, *self._rules(variant)):
+        for pattern, read in (*self.own, *self.rules(variant)):
             for match in pattern.finditer(text):
                 start, end = match.span()
                 if start == end or any(covered[start:end]):
@@ -156,7 +156,8 @@ class SpokenReadings:
                     taken.append(Replacement(start, end, tuple(pieces), joined=True))
         return tuple(sorted(taken))
 
-    def _rules(self, variant: str) -> Iterable[ReadingRule]:
+    def rules(self, variant: str = "") -> Iterable[ReadingRule]:
+        """Return the rules of the table; `variant` as in `of`."""
         months_first = self.table.dates.order == "mdy" and not variant.startswith(_DAY_FIRST)
         return self._month_first if months_first else self._day_first
 

@@ -15,13 +15,14 @@ from ..core.speech.characters import BLOCK_END, HIDDEN
 
 _FENCE = re.compile(r"[ \t]{0,12}(?P<fence>`{3,}|~{3,})(?P<rest>.*)")
 _HEADING = re.compile(r" {0,3}(?P<marks>#{1,6})(?=[ \t]|$)")
-_UNDERLINE = re.compile(r" {0,3}(?:=+|-{2,})[ \t]*$")
-_RULE = re.compile(r" {0,3}(?:(?:\*[ \t]*){3,}|(?:-[ \t]*){3,}|(?:_[ \t]*){3,})$")
+_UNDERLINE = re.compile(r"\A {0,3}(?:=++|-{2,}+)[ \t]*+$")
+_RULE = re.compile(r"\A {0,3}(?:(?:\*[ \t]*+){3,}+|(?:-[ \t]*+){3,}+|(?:_[ \t]*+){3,}+)$")
 _QUOTE = re.compile(r" {0,3}(?:>[ \t]?)+")
 _BULLET = re.compile(r"[ \t]{0,12}(?P<mark>[-*+\u2022])[ \t]+(?P<task>\[[ xX]\][ \t]+)?(?=\S)")
 _NUMBER = re.compile(r"[ \t]{0,12}\d{1,9}(?P<mark>[.)])[ \t]+(?=\S)")
-_ROW = re.compile(r"[ \t]*\|.*\|[ \t]*$")
-_DIVIDER = re.compile(r"[ \t]*\|?[ \t]*:?-+:?[ \t]*(?:\|[ \t]*:?-+:?[ \t]*)*\|?[ \t]*$")
+_ROW = re.compile(r"\A[ \t]*+\|.*\|[ \t]*+$")
+_CELL = r":?-++:?[ \t]*+"
+_DIVIDER = re.compile(rf"\A[ \t]*+(?:\|[ \t]*+)?{_CELL}(?:\|[ \t]*+{_CELL})*+(?:\|[ \t]*+)?$")
 _DEFINITION = re.compile(r" {0,3}\[(?P<name>[^\]\n]{1,200})\]:[ \t]*\S.*$")
 
 _CODE = re.compile(r"(?P<open>`+)(?P<code>[^`\n](?:[^\n]{0,300}?[^`\n])?)(?P=open)(?!`)")
@@ -46,14 +47,14 @@ _STRAY = re.compile(rf"(?P<strong>{_STRONG})|\*{{2,}}")
 # Kinds of marks; two of them tell that a text is Markdown.
 _KINDS: dict[str, re.Pattern[str]] = {
     "heading": re.compile(r"^ {0,3}#{1,6}[ \t]+\S", re.MULTILINE),
-    "strong": re.compile(r"(?<![\w*])\*\*[^\s*][^\n]*?\*\*|(?<![\w_])__[^\s_][^\n]*?__(?![\w_])"),
+    "strong": re.compile(r"(?<![\w*])\*\*[^\s*][^\n]*?\*\*|(?<![\w_])__[^\s_][^\n]{0,300}?__(?![\w_])"),
     "emphasis": re.compile(r"(?<![\w*])\*[^\s*][^*\n]*\*(?![\w*])|(?<![\w_])_[^\s_][^_\n]*_(?![\w_])"),
     "list": re.compile(r"^[ \t]{0,12}[-*+][ \t]+\S", re.MULTILINE),
     "numbered list": re.compile(r"^[ \t]{0,12}\d{1,3}[.)][ \t]+\S", re.MULTILINE),
     "link": re.compile(r"\[[^\[\]\n]{1,300}\]\([^()\s]+"),
     "code": re.compile(r"(?<!`)`[^`\n]+`(?!`)"),
     "fence": re.compile(r"^[ \t]{0,12}(?:```|~~~)", re.MULTILINE),
-    "table": re.compile(r"^[ \t]*\|?[ \t]*:?-{2,}:?[ \t]*\|[ \t|:-]*$", re.MULTILINE),
+    "table": re.compile(r"^[ \t]*+(?:\|[ \t]*+)?:?-{2,}+:?[ \t]*+\|[ \t|:-]*+$", re.MULTILINE),
     "quote": re.compile(r"^ {0,3}>[ \t]?\S", re.MULTILINE),
     "rule": re.compile(r"^ {0,3}(?:-{3,}|\*{3,}|_{3,})[ \t]*$", re.MULTILINE),
     "struck": _STRUCK,
@@ -212,15 +213,15 @@ class _Page:
     def _row(self, start: int, end: int) -> None:
         """Read a row of a table: a comma after each cell but the last."""
         bars = [at for at in range(start, end) if self.text[at] == "|" and self.text[at - 1 : at] != "\\"]
+        backwards = range(end - 1, start - 1, -1)
+        last = next((at for at in backwards if self.text[at].strip("|").strip()), start)
         for at in bars:
-            before = len(self.text[start:at].rstrip(" \t")) + start
-            cell = self.text[start:at].rstrip(" \t").rpartition("|")[2].strip()
-            is_last = not self.text[at + 1 : end].replace("|", "").strip()
+            first = max(self.text.rfind("|", start, at) + 1, start)
+            cell = self.text[first:at].rstrip(" \t")
             self.hide(at, at + 1)
-            if cell and not is_last and before < at:
-                self.characters[before] = ","
-            elif cell and not is_last:
-                self.characters[at] = "\n"
+            if cell.strip() and at < last:
+                comma = first + len(cell)
+                self.characters[comma] = "," if comma < at else "\n"
         self.inline.append((start, end))
         self.end_block(end)
 
@@ -253,14 +254,13 @@ def _lines(text: str) -> Iterator[tuple[int, int]]:
 
 def _inline(page: _Page, start: int, end: int) -> None:
     """Take away the marks within a line; what stands in code is left alone."""
-    kept: list[tuple[int, int]] = []
+    in_code = bytearray(end - start)
     for pattern, read in _INLINE:
         for match in pattern.finditer("".join(page.characters[start:end])):
-            first, last = start + match.start(), start + match.end()
-            if not any(a < last and first < b for a, b in kept):
+            if not any(in_code[match.start() : match.end()]):
                 read(page, match, start)
                 if pattern is _CODE:
-                    kept.append((first, last))
+                    in_code[match.start() : match.end()] = b"\1" * len(match[0])
 
 
 def _read_code(page: _Page, match: re.Match[str], start: int) -> None:

@@ -120,9 +120,9 @@ def _tell(left_out: Sequence[LeftOut], text: str, source: str) -> None:
     if not left_out:
         return
     counts = Counter(part.name for part in left_out)
-    first = {part.name: text.count("\n", 0, part.at) + 1 for part in reversed(left_out)}
+    first = {part.name: part.at for part in reversed(left_out)}
     named = [
-        f"{name} (line {first[name]}{f', {count} times' if count > 1 else ''})"
+        f"{name} (line {text.count(chr(10), 0, first[name]) + 1}{f', {count} times' if count > 1 else ''})"
         for name, count in list(counts.items())[:_NAMED]
     ]
     more = len(counts) - len(named)

@@ -17,7 +17,8 @@ def said_as(kind: str, words: str, form: str | None = None) -> str | None:
 def _date(words: str, form: str) -> str | None:
     """Return a date of three numbers as the language reads one (ISO 8601); None for other formats."""
     numbers = re.findall(r"\d+", words)
-    if form and sorted(form) == sorted("dmy") and len(numbers) == len(form):
+    is_date = len(numbers) == len("dmy") and max(map(len, numbers)) <= len("2021")
+    if is_date and sorted(form) == sorted("dmy"):
         parts = dict(zip(form, map(int, numbers), strict=True))
         year = parts["y"] + (2000 if parts["y"] < 50 else 1900 if parts["y"] < 100 else 0)
         return f"{year:04d}-{parts['m']:02d}-{parts['d']:02d}"

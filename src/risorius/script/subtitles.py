@@ -65,7 +65,7 @@ def _cues(text: str, source: str) -> Iterator[TimedText]:
         if end < start:
             raise InputError(f"ends at {end:g} s, before it starts at {start:g} s", place)
         words: list[str] = []
-        for following in lines[number + 1 :]:
+        for following in (lines[k] for k in range(number + 1, len(lines))):
             if not following.strip() or _ARROW in following:
                 break
             words.append(following)

@@ -22,7 +22,9 @@ _ROUND = re.compile(
 _NOTE = re.compile("[\u2669-\u266f]")
 
 _LINE = re.compile(r"^[^\S\n]*(?P<rest>[^\n]+)", re.MULTILINE)
-_LEAD = rf"[\s{HIDDEN}>\u2013-]*"
+# What stands before a name or a time on its line.
+_BEFORE = rf"[ \t\r\f\v\u00a0\u2000-\u200a\u2028\u2029\u202f\u3000{HIDDEN}>\u2013-]"
+_LEAD = rf"(?<!{_BEFORE}){_BEFORE}*+"
 _WORD = r"[\w.'\u2019-]{0,30}"
 _NAME = re.compile(
     rf"{_LEAD}(?P<name>[^\W\d_]{_WORD}(?: [A-Z\u00c0-\u00de0-9(][\w.'\u2019)-]{{0,30}}){{0,3}})\s?"

@@ -18,7 +18,7 @@ HAN = re.compile("[\u3400-\u4dbf\u4e00-\u9fff\U00020000-\U0003134f\u3005-\u3007]
 _STRETCH = re.compile(
     r"(?:[^\s\u3001\u3002\uff01\uff1f\uff0c\uff0e!?,;:\u300c-\u300f()\uff08\uff09\u2026\u30fb]|(?<=\d),(?=\d))+"
 )
-_DIGITS = re.compile(r"[\d,.]*\d")
+_DIGITS = re.compile(r"(?:\d|[,.]{1,9}+\d)++")
 _NUMERALS = "〇零一二三四五六七八九十百千万億兆・点．."
 # What OpenJTalk reads sign by sign, or leaves out, and what to give it instead.
 _WRITTEN = (
