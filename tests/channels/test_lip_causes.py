@@ -89,9 +89,9 @@ def test_arkit_puckers_closed_lips_and_funnels_open_ones() -> None:
         assert pucker + funnel > 0.3
         return pucker / (pucker + funnel)
 
-    # Half a millimetre of gap lies on the slope from one to the other: .66 of Pucker. It was .84 while the
+    # Half a millimetre of gap lies on the slope from one to the other: .60 of Pucker. It was .84 while the
     # rounding muscle alone parted the lips further, so that the gap was less of its way.
-    assert share_of_pucker("W") > 0.6
+    assert share_of_pucker("W") > 0.55
     assert max(share_of_pucker(phone) for phone in ("AO", "SH", "R")) < 0.5
     # One fades into the other at about a millimetre of gap.
     shut, near, ajar, apart = (share_of_pucker("UW", lip_aperture=gap) for gap in (0.0, 1.0, 1.5, 4.0))

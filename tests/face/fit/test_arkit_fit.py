@@ -138,7 +138,7 @@ def bounds_of():
 
 
 def test_a_lip_under_the_teeth_is_nearly_as_near_as_52_shapes_can_be(fit, face, bounds_of) -> None:
-    """/v/ draws the lower lip back under the teeth, which no shape does: 1.3 mm at the least.
+    """/v/ draws the lower lip back under the teeth, as `mouthRollLower` does but for 0.8 mm.
 
     The face is even, and so nearly are its weights: nothing of what a lopsided mouth would gain.
     """
@@ -146,7 +146,7 @@ def test_a_lip_under_the_teeth_is_nearly_as_near_as_52_shapes_can_be(fit, face, 
     weights = fit.weights(frame)
     rms, worst = fit.residual(frame, weights)
     free, one_sided, even = bounds_of(fit, frame.skin, weights)
-    assert 1.2 < free <= one_sided <= worst < even + 0.4
+    assert 0.5 < free <= one_sided <= worst < min(even + 0.4, 1.4)
     assert rms < 0.4
 
 
@@ -161,7 +161,7 @@ def test_far_vertices_come_nearer_for_little(fit, face, monkeypatch: pytest.Monk
     near = fit.residual(frame, fit.weights(frame))
     monkeypatch.setattr(robust_fit, "STEPS", 0)
     before = fit.residual(frame, fit.weights(frame))
-    assert near[1] < before[1] - 0.2
+    assert near[1] < before[1] - 0.1
     assert near[0] < before[0] + 0.15
 
 

@@ -57,7 +57,7 @@ def test_sealed_lips_are_sealed_by_weights(take: Take) -> None:
     assert sealed.sum() > 10
     assert (found[sealed].max(axis=1) < 0.25).all()
     assert np.mean(found[sealed].max(axis=1) <= 0.2) > 0.9
-    assert found.min() > -0.45
+    assert found.min() > -0.43
     assert found[sealed].min() > -0.3
 
 

@@ -3,7 +3,10 @@
 Sculpted shapes move surfaces past each other or leave them apart, each head's a little differently. Weights
 that shut an eye or a mouth need shapes that do exactly that. So `eyeBlink` is the face's own closed lid.
 `mouthClose` brings together what `jawOpen` opens, as our own lips close: both lips move, and nothing else
-does. `mouthPress` also presses the lips of its side together, up to `PRESSED` mm, most near the corner.
+does. `mouthPucker` opens and overlaps them half as much as its sculpt. Others close a part of the mouth
+besides what their sculpt does, because our lips close from the corners: `mouthPress` its side, most near the
+corner, and `mouthShrugUpper` the corners. `mouthRollLower` also draws the lower lip under the upper teeth, as
+ours does at /f/ and /v/.
 """
 
 from __future__ import annotations
@@ -23,29 +26,47 @@ from ..head.head import Head
 from ..solve import FaceSolver
 
 PRESSED = 8.0  # mm by which a side's lips come together if they are that far apart
+PUCKERED = 0.5  # share of what the sculpted `mouthPucker` opens and overlaps that is undone
+CORNERS = 4.0  # mm that `mouthShrugUpper` closes at the corners
 BEYOND, WHOLE = (
     0.15,
     0.75,
-)  # shares of half a mouth: a press reaches over the middle; from there on it is whole
-CORNER = 0.4  # share of the jaw's widest opening from which on a place is pressed wholly, less at the corner
+)  # shares of half a mouth: so far over the middle a press reaches; there it is whole
+# Places by how far the jaw opens them, as shares of its widest opening: a press is whole from the first on
+# and less towards the corner, which lies below the second.
+CORNER, AT_CORNER = 0.4, 0.15
+TUCK_OPENING = 0.1  # of the jaw, at which the lower lip is drawn under the teeth
 SMALLEST = 1e-3  # mm: smaller displacements count as 0
-_SIDES = ("left", 1.0), ("right", -1.0)
 
 
 def contact_shapes(head: Head, sculpted: Sequence[Array]) -> Iterator[tuple[int, Array]]:
     """Yield shapes by index with the displacement (N1, 3) of the skin; `sculpted` (N0, 3) are all 52."""
-    yield from _shut_lids(head)
+    solver = FaceSolver(head)
+    yield from _shut_lids(solver)
     for shape, field in _lips(head, sculpted):
         yield shape, head.skin.matrix @ _without_small(field)
+    roll = INDEX["mouthRollLower"]
+    yield roll, head.skin.matrix @ sculpted[roll] + _tuck(solver)
 
 
-def _shut_lids(head: Head) -> Iterator[tuple[int, Array]]:
-    solver = FaceSolver(head)
-    rest = solver.solve(NEUTRAL).skin.astype(np.float64)
-    for side, _ in _SIDES:
-        values = NEUTRAL.copy()
-        values[PARAMETER[f"orbicularis_oculi_palpebralis.{side}"]] = 1.0
-        yield INDEX[f"eyeBlink{side.title()}"], _without_small(solver.solve(values).skin - rest)
+def _shut_lids(solver: FaceSolver) -> Iterator[tuple[int, Array]]:
+    rest = _skin(solver)
+    for side in ("left", "right"):
+        shut = _skin(solver, **{f"orbicularis_oculi_palpebralis.{side}": 1.0})
+        yield INDEX[f"eyeBlink{side.title()}"], _without_small(shut - rest)
+
+
+def _tuck(solver: FaceSolver) -> Array:
+    """Return the displacement (N1, 3) of the skin by a lower lip that is drawn under the upper teeth."""
+    opened = _skin(solver, masseter=TUCK_OPENING)
+    return _without_small(_skin(solver, masseter=TUCK_OPENING, lip_tuck=1.0) - opened)
+
+
+def _skin(solver: FaceSolver, **values: float) -> Array:
+    """Return the level-1 skin (N1, 3) mm with some parameters not at rest."""
+    row = NEUTRAL.copy()
+    row[[PARAMETER[name] for name in values]] = list(values.values())
+    return solver.solve(row).skin.astype(np.float64)
 
 
 def _lips(head: Head, sculpted: Sequence[Array]) -> Iterator[tuple[int, Array]]:
@@ -59,16 +80,29 @@ def _lips(head: Head, sculpted: Sequence[Array]) -> Iterator[tuple[int, Array]]:
         handles.move(field, np.pad(-way, ((0, 0), (0, 1))))
         return field[:, :3]
 
-    opened = mouth.line @ (mouth.matrix @ sculpted[INDEX["jawOpen"]])
+    def and_together(name: str, gap: Array) -> tuple[int, Array]:
+        way = np.zeros((len(gap), 3))
+        way[:, 1] = gap
+        return INDEX[name], sculpted[INDEX[name]] + brought_together(way)
+
+    def opened_by(name: str) -> Array:
+        return np.asarray(mouth.line @ (mouth.matrix @ sculpted[INDEX[name]]))
+
+    opened = opened_by("jawOpen")
     yield INDEX["mouthClose"], brought_together(opened)
-    aside = (0.5 * np.abs(mouth.line) @ rest)[:, 0]
-    aside /= np.abs(aside).max()
-    wide = np.minimum(opened[:, 1] / (CORNER * opened[:, 1].max()), 1.0)
-    for side, sign in _SIDES:
-        shape = INDEX[f"mouthPress{side.title()}"]
-        way = np.zeros_like(opened)
-        way[:, 1] = PRESSED * wide * np.clip((sign * aside + BEYOND) / (WHOLE + BEYOND), 0.0, 1.0)
-        yield shape, sculpted[shape] + brought_together(way)
+    yield and_together("mouthPucker", PUCKERED * opened_by("mouthPucker")[:, 1])
+    open_by = opened[:, 1] / opened[:, 1].max()
+    wide = np.minimum(open_by / CORNER, 1.0)
+    for side, share in zip(("Left", "Right"), _sides(0.5 * np.abs(mouth.line) @ rest[:, 0]), strict=True):
+        yield and_together(f"mouthPress{side}", PRESSED * wide * share)
+    yield and_together("mouthShrugUpper", CORNERS * (np.minimum(open_by / AT_CORNER, 1.0) - wide))
+
+
+def _sides(x: Array) -> Iterator[Array]:
+    """Yield the shares (n,) by which places at `x` (n,) mm belong to the left, and to the right side."""
+    aside = x / np.abs(x).max()
+    for sign in (1.0, -1.0):
+        yield np.clip((sign * aside + BEYOND) / (WHOLE + BEYOND), 0.0, 1.0)
 
 
 def _without_small(field: Array) -> Array:

@@ -3,7 +3,7 @@
 The 52 shapes are fitted to the skin, of which the lips are a small part; then only those that form the mouth
 change, as little as that skin allows, until the gap between the lips is within its limits at 19 places from
 corner to corner. The limits follow the face's own gap, so nothing switches when a seal begins, and they are
-stiff while the lips are nearly shut; over an open mouth they yield to the rest of the face.
+stiff while the lips are nearly shut; over an open mouth they yield to the rest of the face, overlap apart.
 
 A gap is measured twice: along y between the two points that meet at rest, and across the surfaces that face
 each other, which differs if one lip slides along the other. Neither may be too wide, the second not negative.
@@ -25,16 +25,14 @@ SHAPES = (
 )
 """The shapes that form the mouth: those that may change to keep the lips' contact."""
 
-WIDER, NARROWER, OVERLAP = 0.09, 0.1, 0.16  # mm wider than the face's gap; narrower amid it; below rest
+WIDER, NARROWER, OVERLAP = 0.09, 0.1, 0.15  # mm wider than the face's gap; narrower amid it; below rest
 AMID = slice(8, 11)  # the places whose opening is followed both ways
 # How stiff limits are, in mm² of the skin's squares for each mm² of a gap, and the widest gap in mm over
 # which they are half as stiff.
 SHUT_STIFF, SHUT_HALF = 5e5, 0.3  # of a mouth that is nearly shut
-OPEN_STIFF, OPEN_HALF = 5e3, 6.0  # of one that is open
-OVERLAP_STIFF, MORE = (
-    1e5,
-    0.05,
-)  # of surfaces that overlap, by so many mm more than the points that meet at rest
+OPEN_STIFF, OPEN_HALF = 5e4, 10.0  # of one that is open
+OVERLAP_STIFF = 1e5  # of surfaces that overlap
+MORE = 0.05  # mm by which they may overlap more than the points that meet at rest
 SLIDE = 30.0  # the same for a lip that slides along the other
 LEAST = 3e4  # mm²: the squares of shapes that move fewer vertices count as this many
 NARROW = 0.2  # mm between two places, at the least, for the slope of the line between the lips
@@ -105,7 +103,11 @@ class LipLimits:
         widest = open_by.max(axis=1, keepdims=True)
         places = gap.shape[1]
         stiff = np.full(limit.shape, OVERLAP_STIFF)
-        stiff[:, : 3 * places] = _fall(SHUT_STIFF, widest / SHUT_HALF) + _fall(OPEN_STIFF, widest / OPEN_HALF)
+        by_opening = _fall(SHUT_STIFF, widest / SHUT_HALF) + _fall(OPEN_STIFF, widest / OPEN_HALF)
+        stiff[:, : 2 * places] = by_opening
+        narrower = stiff[:, 2 * places : 3 * places]
+        narrower[:] = np.maximum(narrower, by_opening)
+        narrower[:, AMID] = by_opening
         return rows, limit, stiff
 
 
