@@ -10,6 +10,7 @@ import pytest
 
 from risorius.core.directions import UNDIRECTED
 from risorius.languages import language_of
+from risorius.languages.load import languages
 from risorius.languages.spoken_forms import read_otherwise
 from risorius.speech.synthesis import synthesize_line
 from risorius.speech.text.normalise import normalise
@@ -32,6 +33,14 @@ def said_for(text: str, code: str) -> str:
 @pytest.mark.parametrize(("code", "text", "said"), CASES, ids=[f"{code} {text}" for code, text, _ in CASES])
 def test_it_is_said_as_people_say_it(code: str, text: str, said: str) -> None:
     assert said_for(text, code) == said
+
+
+def test_every_tested_language_has_ten_rows() -> None:
+    tested = [code for code in languages() if language_of(code).tested]
+    counts = {
+        code: sum(len(rows) for key, rows in ROWS.items() if key.split("-")[0] == code) for code in tested
+    }
+    assert {code: count for code, count in counts.items() if count < 10} == {}
 
 
 def test_a_language_without_tables_only_joins_the_digits_of_a_number() -> None:
@@ -74,9 +83,38 @@ def test_a_label_covers_exactly_the_sounds_of_its_word(text: str, word: str, pho
 
 
 @pytest.mark.parametrize(
+    ("code", "text", "word", "phones"),
+    [
+        ("it", "Costa 12,50 € qui.", "€", "ɛ ʊ r o e tʃ i n k w a n t a tʃ e n t ɛ z i m ɪ"),
+        ("nl", "De 1e keer nu.", "1e", "ɪ r s t ə"),
+        ("nl", "Willem III kwam.", "III", "d ə d ɛ r d ə"),
+        ("pl", "Jest 5 km dalej.", "km", "k i l ɔ m ɛ t r u v"),
+        ("pl", "Film jest o 9:00 dziś.", "9:00", "dʑ ɛ v ɔ n t ɛ j"),
+        ("ru", "Это 5 руб. за хлеб.", "руб", "r u b ɭ e j"),
+        ("vi", "Lần thứ 1 đây.", "1", "ɲ ə t̪"),
+        ("hi", "सुबह 9:00 बजे आना।", "9:00", "n ɔː"),
+        ("cmn", "有10 000人来。", "10 000", "j i w ɑ n"),
+    ],
+)
+def test_a_label_covers_its_sounds_in_other_languages(code: str, text: str, word: str, phones: str) -> None:
+    utterance = synthesize_line(text, language=code)
+    (found,) = (w for w in utterance.words if w.text == word)
+    sounds = [p.symbol for p in utterance.phones[found.first_phone : found.last_phone] if p.symbol]
+    assert " ".join(sounds) == phones
+
+
+@pytest.mark.parametrize(
     "part", ["1 ", "1/", "$1", "12-", "1 x ", "+1 2", "1 A", "@a.b", "(555) ", "5 N ", " Henry X"]
 )
 def test_hostile_numbers_take_no_time(part: str) -> None:
     start = time.process_time()
     read_otherwise(part * (20_000 // len(part)), "en-us")
+    assert time.process_time() - start < 1.0
+
+
+@pytest.mark.parametrize("code", ["it", "pt", "nl", "pl", "ru", "vi", "hi", "cmn"])
+@pytest.mark.parametrize("part", ["1 ", "1.", "1,", "1 000 ", "€1", "XX ", "2021 ", "1:", "1-", "½", "1 ½ "])
+def test_hostile_numbers_take_no_time_in_other_languages(code: str, part: str) -> None:
+    start = time.process_time()
+    read_otherwise(part * (20_000 // len(part)), code)
     assert time.process_time() - start < 1.0

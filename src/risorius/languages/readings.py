@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache, cached_property
@@ -34,6 +35,8 @@ _URL = re.compile(
     re.IGNORECASE,
 )
 _MINUS = re.compile(r"(?<![\w).,-])[-\u2212](\d[\d.,]*(?<=\d))(?![\w/:-])")
+# Digits of other scripts are read as the European ones.
+_OTHER_DIGIT = re.compile(r"(?![0-9])\d")
 _ARROW = re.compile(r"[\u2190-\u21ff\u2794-\u27be\u27f5-\u27ff]")
 _VULGAR = {
     "\u00bd": (1, 2), "\u00bc": (1, 4), "\u00be": (3, 4), "\u2153": (1, 3), "\u2154": (2, 3),
@@ -65,7 +68,8 @@ class TimeTable:
 
     `full`: without minutes, `one`: so at 1, `late`: so after 12.
     `hours`: words for hours, if they are not their numbers. `signs`: those between hour and minute. `unit`:
-    what may follow the number and is in the words already.
+    what may follow the number and is in the words already. A point is the sign of a time only before the unit
+    or after one of the words `after`.
     """
 
     template: str = ""
@@ -76,6 +80,7 @@ class TimeTable:
     hours: Mapping[str, str] = field(default_factory=dict)
     signs: str = ":"
     unit: str = ""
+    after: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +92,8 @@ class ReadingTable:
     address. `group`: what stands between the thousands that the voice reads. `units` and `currencies`: names
     of one and of several, of money also of hundredths; `scales` may follow an amount. `range`: between two
     numbers. `own`: tables of the language's own rules.
+    `minus`: before a number below zero, else as the sign between numbers. `money`, its `cents` and
+    `measures`: names by sign, in the order of the plurals of the language.
     """
 
     dates: DateTable = DateTable()
@@ -101,6 +108,10 @@ class ReadingTable:
     currencies: Mapping[str, tuple[str, str, str, str]] = field(default_factory=dict)
     scales: Mapping[str, str] = field(default_factory=dict)
     range: str = ""
+    minus: str = ""
+    money: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    cents: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    measures: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     own: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
 
 
@@ -143,6 +154,7 @@ class SpokenReadings:
         `variant`: the language with its country ("en-gb"), which decides the order of dates. A stretch holds
         words of the text: each text that is read in it belongs to one word.
         """
+        text = _OTHER_DIGIT.sub(lambda match: str(unicodedata.decimal(match[0])), text)
         taken: list[Replacement] = []
         covered = bytearray(len(text))
         for pattern, read in (*self.own, *self.rules(variant)):
@@ -201,7 +213,7 @@ def _rules(readings: SpokenReadings, *, month_first: bool) -> Iterator[ReadingRu
         yield ReadingRule(_RANGE, lambda match: ((f"{match[1]} {table.range} {match[2]}", match.start()),))
     yield ReadingRule(_GROUPS, lambda match: _joined_groups(match, table))
     if "\u2212" in table.between:
-        minus = table.signs.get("-", table.between["\u2212"])
+        minus = table.minus or table.between["\u2212"]
         yield ReadingRule(_MINUS, lambda match: ((f"{minus} {match[1]}", match.start()),))
     if table.between:
         yield ReadingRule(_between(table.between), lambda match: _sign_between(match, table))
@@ -262,13 +274,13 @@ def _date(match: re.Match[str], readings: SpokenReadings, day: int, month: int, 
 def _time_pattern(times: TimeTable) -> re.Pattern[str]:
     if not times.unit:
         return _TIME
-    return re.compile(_TIME.pattern.rstrip() + rf"(?P<unit>[ \u00a0]?(?:{times.unit})\b)?")
+    return re.compile(_TIME.pattern.rstrip() + rf"(?P<unit>[ \u00a0]?(?:{times.unit})(?!\w))?")
 
 
 def _time(match: re.Match[str], readings: SpokenReadings) -> Pieces:
     times, numbers = readings.table.times, readings.numbers
     unit = match.groupdict().get("unit")
-    if match["sign"] not in times.signs or (match["sign"] == "." and not unit):
+    if match["sign"] not in times.signs or (match["sign"] == "." and not (unit or _is_after(match, times))):
         return None
     hour, minute = int(match["hour"]), int(match["minute"])
     words = {
@@ -288,6 +300,11 @@ def _time(match: re.Match[str], readings: SpokenReadings) -> Pieces:
     if not found:
         return ((said, match.start()),)
     return ((first, match.start()), (f" {name}{rest}", match.end() - len(name)))
+
+
+def _is_after(match: re.Match[str], times: TimeTable) -> bool:
+    before = match.string[max(0, match.start() - 20) : match.start()].split()
+    return bool(before) and before[-1].lower() in times.after
 
 
 def _fraction(match: re.Match[str], table: ReadingTable) -> Pieces:

@@ -20,14 +20,22 @@ _STRETCH = re.compile(
 )
 _DIGITS = re.compile(r"(?:\d|[,.]{1,9}+\d)++")
 _NUMERALS = "〇零一二三四五六七八九十百千万億兆・点．."
+_MEASURED = r"(?<![A-Za-z\d.,])(\d{1,9}(?:\.\d{1,9})?) ?"
 # What OpenJTalk reads sign by sign, or leaves out, and what to give it instead.
 _WRITTEN = (
     (re.compile(r"(?<![\d/-])(\d{4})[-/](\d{1,2})[-/](\d{1,2})(?![\d/-])"), r"\1年\2月\3日"),
+    (re.compile(r"(?<![\d:])([01]?\d|2[0-4]):00(?![\d:])"), r"\1時"),
     (re.compile(r"(?<![\d:])([01]?\d|2[0-4]):([0-5]\d)(?![\d:])"), r"\1時\2分"),
     (re.compile(r"(?<![\d/.])(\d{1,2})/(\d{1,2})(?![\d/])"), r"\2分の\1"),
     (re.compile(r"(?<![\dA-Za-z.])[-\u2212](\d+(?:\.\d+)?) ?(?:°C|℃|度)"), r"マイナス\1度"),
     (re.compile(r"(?<![\dA-Za-z.])[-\u2212](\d+(?:\.\d+)?)"), r"マイナス\1"),
     (re.compile(r"(?<![\w.-])(\d+(?:\.\d+)?) ?(?:°C|℃)"), r"\1度"),
+    (re.compile(r"[¥\uffe5] ?(\d{1,3}(?:,\d{3}){1,5}|\d{1,15})(?![\d,.])"), r"\1円"),
+    (re.compile(r"[$\uff04] ?(\d{1,3}(?:,\d{3}){1,5}|\d{1,15})(?![\d,.])"), r"\1ドル"),
+    (re.compile(rf"{_MEASURED}kg(?![A-Za-z/])"), r"\1キログラム"),
+    (re.compile(rf"{_MEASURED}km(?![A-Za-z/])"), r"\1キロメートル"),
+    (re.compile(rf"{_MEASURED}cm(?![A-Za-z/])"), r"\1センチメートル"),
+    (re.compile(rf"{_MEASURED}m(?![A-Za-z/])"), r"\1メートル"),
 )
 _MARKS = "\u2019'"
 
