@@ -82,6 +82,7 @@ CLAIMS: Mapping[str, Claim] = {
         (
             "blend/test_layer_priority::rivals_in_one_movement_sum_to_one_at_most",
             "rules/test_fuzzy::of_rivals_of_two_emotions_the_weaker_stays_at_rest",
+            "channels/test_emotion_company::two_options_show_what_one_tag_does",
         ),
     ),
     "A11": Claim(
