@@ -316,6 +316,7 @@ CLAIMS: Mapping[str, Claim] = {
         "another emotion is its action units and its rules",
         (
             "test_paper_rows::an_emotion_of_ones_own_shows_its_units",
+            "rules/test_emotions::a_file_needs_targets_alone_and_its_emblem_is_the_display",
             "rules/test_tables::what_a_file_adds_can_be_performed_and_its_rules_know_it",
         ),
     ),
