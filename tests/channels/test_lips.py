@@ -8,6 +8,7 @@ from risorius.blend.mouth.coarticulation import SegmentValues, without_gaps
 from risorius.blend.mouth.effort import EffortModel
 from risorius.channels import ChannelInputs, compose
 from risorius.core.movement import LipSegment
+from risorius.core.score import check_score
 from risorius.core.speech.utterance import Accent, Syllable, Utterance
 from risorius.errors import InputError, ParameterError
 from risorius.rules.articulation import is_known, sounds
@@ -231,6 +232,15 @@ def test_a_closure_that_is_too_short_begins_earlier_and_ends_at_its_release(
     segment = next(s for s in segments(utterance_of(f"AA {phone} AA", seconds=0.033)) if s.phone == phone)
     assert segment.end == pytest.approx(0.533 + share * 0.033, abs=1e-4)
     assert segment.start == pytest.approx(segment.end - 0.04)
+
+
+@pytest.mark.parametrize("lead", [0.0005, 0.003])
+@pytest.mark.parametrize("phone", ["P", "B", "M"])
+def test_no_closure_begins_before_the_clip(phone: str, lead: float, utterance_of) -> None:
+    said = utterance_of(f"{phone} AA", seconds=0.033, lead=lead)
+    segment = next(s for s in segments(said) if s.phone == phone)
+    assert 0.0 <= segment.start <= lead
+    check_score(compose(ChannelInputs(said.duration, said)))
 
 
 def test_p_is_aspirated_where_a_word_begins_and_in_english_alone(utterance_of) -> None:

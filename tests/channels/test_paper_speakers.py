@@ -21,6 +21,7 @@ EYES = ("gaze_pitch", "gaze_yaw")
 HEAD = ("head_pitch", "head_yaw")
 FPS = 100
 SENTENCES = (
+    "Oh.",
     "I am here.",
     "Yes, of course[H*]. We could have told her.",
     "Four goats[H*] live behind the school.",

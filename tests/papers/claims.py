@@ -82,6 +82,7 @@ CLAIMS: Mapping[str, Claim] = {
         (
             "blend/test_layer_priority::rivals_in_one_movement_sum_to_one_at_most",
             "rules/test_fuzzy::of_rivals_of_two_emotions_the_weaker_stays_at_rest",
+            "channels/test_emotion_company::two_options_show_what_one_tag_does",
         ),
     ),
     "A11": Claim(
@@ -315,6 +316,7 @@ CLAIMS: Mapping[str, Claim] = {
         "another emotion is its action units and its rules",
         (
             "test_paper_rows::an_emotion_of_ones_own_shows_its_units",
+            "rules/test_emotions::a_file_needs_targets_alone_and_its_emblem_is_the_display",
             "rules/test_tables::what_a_file_adds_can_be_performed_and_its_rules_know_it",
         ),
     ),

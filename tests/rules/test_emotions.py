@@ -292,3 +292,14 @@ def test_an_embarrassed_look_falls_and_is_not_from_the_corner_of_the_eye() -> No
     shown = emotion("embarrassment").targets(1.0)
     assert shown["gaze_pitch"] < -3.0 * abs(shown["gaze_yaw"])
     assert shown["orbicularis_oris_presser"] > shown["zygomatic_major.left"]
+
+
+def test_a_file_needs_targets_alone_and_its_emblem_is_the_display(tmp_path: Path) -> None:
+    file = tmp_path / "calm.toml"
+    file.write_text(
+        'name = "calm"\ndescription = "Calm."\nsource = "us"\n[targets]\nAU12 = 0.2\nAU43 = 0.15\n'
+    )
+    calm = emotion(str(file))
+    assert (calm.onset, calm.offset, calm.aliases) == (0.45, 0.75, ())
+    assert calm.emblem_targets(0.6) == calm.targets(0.6)
+    assert calm.emblem.duration == 1.0

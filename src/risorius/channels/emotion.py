@@ -12,7 +12,7 @@ from ..core.parameters import INDEX, PARAMETERS, Kind
 from ..errors import InputError
 from ..rules.emotions import Display, emotion_key
 from ..rules.emotions import emotion as find_emotion
-from ..rules.fuzzy import blend_units
+from ..rules.fuzzy import shown_units
 from .head import posture
 from .inputs import ChannelInputs, Context
 from .registry import register
@@ -88,7 +88,7 @@ def _parts(
     name: str, times: Sequence[float], displays: Sequence[Display]
 ) -> Iterator[tuple[float, float, dict[str, float]]]:
     """Yield start, end and targets of a display's parts between the times, alike neighbours as one."""
-    shown = [blend_units(name, _company(displays, 0.5 * (a + b))) for a, b in pairwise(times)]
+    shown = [shown_units(name, _company(displays, 0.5 * (a + b))) for a, b in pairwise(times)]
     start = times[0]
     for number, targets in enumerate(shown, 1):
         if number == len(shown) or shown[number] != targets:

@@ -232,14 +232,14 @@ def _held(start: float, end: float, shape: PhoneShape) -> tuple[float, float]:
     """Return when a phone's shape holds: a stop's until it is released, its burst is the next phone's.
 
     A closure that is too short first gives up the parting before its release, then begins earlier: the
-    release is heard, the lips' meeting may hide in the phone before.
+    release is heard, the lips' meeting may hide in the phone before. None begins before the clip.
     """
     seconds = shape.closure * (end - start)
     if SEAL not in shape.targets:
         return start, min(start + max(seconds, SHORTEST_CLOSURE), end)
     released = start + seconds
     parted = max(released - PARTING, min(released, start + SHORTEST_CLOSURE))
-    return min(start, parted - SHORTEST_CLOSURE), parted
+    return max(min(start, parted - SHORTEST_CLOSURE), 0.0), parted
 
 
 def _phrase_final_phones(utterance: Utterance) -> frozenset[int]:

@@ -31,6 +31,7 @@ PriorityLevel = Annotated[float, Range(0.0, 9999.0)]
 Priorities = tuple[PriorityLevel, PriorityLevel, PriorityLevel, PriorityLevel, PriorityLevel]
 # Seconds, as emotions of the package rise and fall.
 HAND_ONSET, HAND_APEX, HAND_OFFSET = 0.45, 2.0, 0.75
+HAND_EMBLEM: Mapping[str, float] = MappingProxyType({"onset": 0.25, "offset": 0.35, "duration": 1.0})
 INTENSITIES = (0.0, 0.25, 0.5, 0.75, 1.0)
 
 
@@ -56,15 +57,16 @@ class Emotion:
     (paper A, section 1: "too happy to speak"); the channel's if None.
     `degrees`: for units that do not grow with the intensity in proportion, their shares of full contraction
     at no, low, medium, high and full intensity. `modulation`: what one who feels it does more or less of.
+    `own_emblem`: if it is None, an emblem is the whole display for a short while.
     """
 
     name: str
     description: str
     source: str
-    onset: RiseSeconds
-    offset: RiseSeconds
     units: Mapping[str, float] = field(metadata={"key": "targets"})
-    emblem: Emblem
+    onset: RiseSeconds = HAND_ONSET
+    offset: RiseSeconds = HAND_OFFSET
+    own_emblem: Emblem | None = field(default=None, metadata={"key": "emblem"})
     aliases: tuple[str, ...] = ()
     modulation: Modulation = field(default_factory=Modulation)
     degrees: Mapping[str, Degrees] = field(default_factory=FrozenDict)
@@ -81,6 +83,11 @@ class Emotion:
         for unit in self.degrees:
             if unit not in self.units:
                 raise ParameterError(unknown("target with degrees", unit, self.units))
+
+    @property
+    def emblem(self) -> Emblem:
+        """The emotion's emblem."""
+        return self.own_emblem or Emblem(units=self.units, **HAND_EMBLEM)
 
     def targets(self, intensity: float) -> dict[str, float]:
         """Return the parameters' values in a display of `intensity` 0..1."""
@@ -238,7 +245,7 @@ def emotion_text(name: str, units: Mapping[str, float]) -> str:
             "onset": HAND_ONSET,
             "offset": HAND_OFFSET,
             "targets": shown,
-            "emblem": {"onset": 0.25, "offset": 0.35, "duration": 1.0, "targets": shown},
+            "emblem": {**HAND_EMBLEM, "targets": shown},
         }
     )
 

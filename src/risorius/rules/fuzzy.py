@@ -85,6 +85,23 @@ def blend_units(name: str, company: Mapping[str, float]) -> dict[str, float]:
     return dict(_kept(targets, fuzzy_table(), name, other, own - others[other], others[other]))
 
 
+def shown_units(name: str, company: Mapping[str, float]) -> dict[str, float]:
+    """Return what an emotion shows in a layer of its own beside others: `blend_units` without weaker rivals.
+
+    A unit with a muscle that gives way to a rival of another emotion is replaced by its other muscles.
+    """
+    units = blend_units(name, company)
+    if len(company) == 1:
+        return units
+    together = blended(company)
+    yielding = {
+        muscle for muscle, value in resolve_targets(units).items() if value and muscle not in together
+    }
+    split = {unit: value for unit, value in units.items() if yielding & resolve_targets({unit: value}).keys()}
+    left = {muscle: value for muscle, value in resolve_targets(split).items() if muscle not in yielding}
+    return {unit: value for unit, value in units.items() if unit not in split} | left
+
+
 def _kept(
     targets: Mapping[str, float], table: FuzzyTable, name: str, other: str, difference: float, strength: float
 ) -> Iterator[tuple[str, float]]:

@@ -18,7 +18,7 @@ from ..errors import InputError, ParameterError, unknown
 from ..reading.schema import build
 from ..reading.source_text import SourceText
 from ..reading.toml import read_tables
-from .emotions import HAND_OFFSET, HAND_ONSET, Emotion, emotion_tables, emotions_in_force, shipped_emotions
+from .emotions import HAND_EMBLEM, Emotion, emotion_tables, emotions_in_force, shipped_emotions
 from .fuzzy import fuzzy_table
 from .lips import LIPS_FILE, NAMED_TABLES, LipTable, lip_table_of, lip_table_text
 from .modulation import is_under
@@ -143,12 +143,8 @@ def _emotions(changes: TableChanges) -> Mapping[str, Emotion]:
 
 def _new_emotion(name: str, entry: TableEntry) -> dict[str, Any]:
     """Return the emotion's fields beside the values that its entry gives it."""
-    targets = entry.values.get("targets", {})
-    emblem = {"onset": 0.25, "offset": 0.35, "duration": 1.0, "targets": targets}
-    return {
-        "name": name, "description": entry.comment or name, "source": entry.source,
-        "onset": HAND_ONSET, "offset": HAND_OFFSET, "emblem": emblem,
-    }  # fmt: skip
+    emblem = {**HAND_EMBLEM, "targets": entry.values.get("targets", {})}
+    return {"name": name, "description": entry.comment or name, "source": entry.source, "emblem": emblem}
 
 
 def _lay(tables: dict[str, Any], parts: Sequence[str], values: Mapping[str, Any]) -> None:
