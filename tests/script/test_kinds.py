@@ -139,3 +139,9 @@ def test_a_transcript_that_holds_more_than_words_is_named(
     with pytest.raises(InputError) as caught:
         risorius.align(tmp_path / "voice.wav", str(path))
     assert message in str(caught.value)
+
+
+def test_a_recording_is_no_performance(tmp_path: Path) -> None:
+    (tmp_path / "x.wav").write_bytes(b"RIFF" + bytes(60))
+    with pytest.raises(InputError, match="is no performance: is a recording; expected it after --audio"):
+        risorius.load(tmp_path / "x.wav")

@@ -79,13 +79,14 @@ def read_score_file(path: Path) -> ScoreFile:
     Raises InputError or ParameterError, with the place in the file, for anything unknown, missing, of another
     type, out of range or contradictory, and for a sound that is missing.
     """
-    document = _document(path)
+    document = load_document(path, "score")
     score = document.read(ScoreDocument)
     with placed(document.source):
         return score.score_file(path.parent)
 
 
-def _document(path: Path) -> JsonDocument:
+def load_document(path: Path, expected: str) -> JsonDocument:
+    """Return the document in a file; if it holds none, the InputError says what the file is, if known."""
     try:
         return load_json(path)
     except InputError:
@@ -94,7 +95,7 @@ def _document(path: Path) -> JsonDocument:
         kind = kind_of_file(path)
         if kind is None or kind == SCORE:
             raise
-        raise InputError(f"is no score: {kind}", Place(str(path))) from None
+        raise InputError(f"is no {expected}: {kind}", Place(str(path))) from None
 
 
 def read_score_json(path: Path, _options: ReadOptions) -> ScoreFile:

@@ -117,7 +117,8 @@ class EspeakEngine:
         except SpeechError as error:
             if span.voice is None or span.language is not None:
                 raise error.at(span.place) from None
-            warn(f"{error.at(span.place)}; the usual voice speaks", SpeechWarning)
+            message = error.message.partition(";")[0]
+            warn(f"{span.place}: {message}; the usual voice speaks", SpeechWarning)
             return voice_attribute(usual.key)
         return voice_attribute(voice.key)
 
