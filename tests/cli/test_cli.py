@@ -294,3 +294,9 @@ def test_a_language_and_a_voice_of_another(tmp_path: Path, capsys: pytest.Captur
     assert "ɡ" in (tmp_path / "x.TextGrid").read_text()
     assert run(["speak", "Hello.", "--language", "qq", *out]) == 2
     assert "unknown language 'qq'" in capsys.readouterr().err
+
+
+def test_a_warning_is_printed_once(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "x.ssml").write_text('<speak>One. <voice name="nobody">Two. Three.</voice></speak>')
+    assert run(["speak", str(tmp_path / "x.ssml"), "-o", str(tmp_path / "x.srt")]) == 0
+    assert capsys.readouterr().err.count("unknown voice 'nobody'; the usual voice speaks") == 1

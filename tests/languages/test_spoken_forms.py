@@ -118,3 +118,23 @@ def test_hostile_numbers_take_no_time_in_other_languages(code: str, part: str) -
     start = time.process_time()
     read_otherwise(part * (20_000 // len(part)), code)
     assert time.process_time() - start < 1.0
+
+
+@pytest.mark.parametrize(
+    ("code", "text", "said"),
+    [
+        ("en-us", "Call +49 30 123456.", "Call +4 9, 3 0, 1 2 3 4 5 6."),
+        (
+            "en-us",
+            "Call +1 415-555-0123 now.",
+            "Call plus one, four one five, five five five, oh one two three now.",
+        ),
+        ("de", "Ruf +43 1 71100 an.", "Ruf +4 3, 1, 7 1 1 0 0 an."),
+        ("en-us", "So 3 * 4 or 5*6*7.", "So 3 times 4 or 5 times 6 times 7."),
+        ("de", "Also 3 * 4.", "Also 3 mal 4."),
+        ("en-us", "Due 2024-02-29T08:30.", "Due February twenty ninth twenty twenty four, eight thirty."),
+        ("de", "Am 2024-02-29T17:05.", "Am neunundzwanzigsten Februar zweitausendvierundzwanzig, 17 Uhr 5."),
+    ],
+)
+def test_numbers_of_telephones_products_and_dates_with_times(code: str, text: str, said: str) -> None:
+    assert said_for(text, code) == said

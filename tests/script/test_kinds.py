@@ -73,3 +73,75 @@ def test_a_recording_is_not_a_transcript(tmp_path: Path) -> None:
     (tmp_path / "x.wav").write_bytes(b"RIFF")
     with pytest.raises(InputError, match="is a recording; expected its words"):
         risorius.align(tmp_path / "x.wav", tmp_path / "x.wav")
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "message"),
+    [
+        ("x.ssml", "<speak>Hi.</speak>", "is no recording: is to be spoken; expected risorius speak"),
+        (
+            "x.TextGrid",
+            'File type = "ooTextFile"\n',
+            "is no recording: holds labels; expected risorius speak",
+        ),
+        ("x.srt", SRT, "is no recording: holds subtitles; expected them after --transcript"),
+        ("voice.wav", "Good morning.", "is no recording: is a text; expected risorius speak"),
+        ("voice.wav", b"\xff\xfb\x90\x00abc", "cannot be read"),
+        ("voice.wav", SRT, "is no recording: looks like subtitles"),
+        ("voice.mp3", b"PK\x03\x04" + bytes(60), "is no recording: is a document or an archive"),
+        ("x.glb", b"glTF" + bytes(60), "is no recording: is a character; expected it after risorius rig"),
+    ],
+)
+def test_a_file_that_is_no_recording_is_named(
+    name: str, content: str | bytes, message: str, tmp_path: Path
+) -> None:
+    path = tmp_path / name
+    path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    with pytest.raises(InputError) as caught:
+        risorius.speak("Good morning.", audio=path)
+    assert message in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "message"),
+    [
+        ("x.ssml", "<speak>Hi.</speak>", "is no score: is to be spoken; expected risorius speak"),
+        ("x.TextGrid", 'File type = "ooTextFile"\n', "is no score: holds labels"),
+        ("x.wav", b"RIFF" + bytes(60), "is no score: is a recording; expected it after --audio"),
+        ("x.csv", "a,b\n1,2\n", "is no score: is a table: expected risorius play"),
+        ("x.score.json", "{", "is not JSON"),
+        ("x.json", "not yet", "is not JSON"),
+    ],
+)
+def test_a_file_that_is_no_score_is_named(
+    name: str, content: str | bytes, message: str, tmp_path: Path
+) -> None:
+    path = tmp_path / name
+    path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    with pytest.raises(InputError) as caught:
+        risorius.mix(path)
+    assert message in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "message"),
+    [
+        ("x.ssml", "<speak>Hi.</speak>", "holds marks; expected its words alone, or risorius speak"),
+        ("x.TextGrid", 'File type = "ooTextFile"\n', "holds labels; expected its words alone"),
+        ("x.txt", "<bml></bml>", "looks like BML"),
+    ],
+)
+def test_a_transcript_that_holds_more_than_words_is_named(
+    name: str, content: str, message: str, tmp_path: Path
+) -> None:
+    path = tmp_path / name
+    path.write_text(content)
+    with pytest.raises(InputError) as caught:
+        risorius.align(tmp_path / "voice.wav", str(path))
+    assert message in str(caught.value)
+
+
+def test_a_recording_is_no_performance(tmp_path: Path) -> None:
+    (tmp_path / "x.wav").write_bytes(b"RIFF" + bytes(60))
+    with pytest.raises(InputError, match="is no performance: is a recording; expected it after --audio"):
+        risorius.load(tmp_path / "x.wav")

@@ -25,7 +25,6 @@ BAD = [
 ]
 UNSPEAKABLE = [
     ('<speak>Hello\n <lang xml:lang="qq">there</lang></speak>', r"x\.ssml:2:2: unknown language 'qq'"),
-    ('<speak>Hello <voice name="nobody">there</voice></speak>', r"x\.ssml:1:14: unknown voice 'nobody'"),
     ('<speak xml:lang="qq">Hello</speak>', r"x\.ssml:1:1: unknown language 'qq'"),
 ]
 REPORTED = [
@@ -73,6 +72,13 @@ def test_faults_have_their_place(text: str, message: str) -> None:
 def test_voices_that_are_not_there(text: str, message: str) -> None:
     with pytest.raises(RisoriusError, match=message):
         synthesize_script(parse_ssml(text, "x.ssml"))
+
+
+def test_the_usual_voice_speaks_for_one_that_is_not_there() -> None:
+    text = '<speak>Hello <voice name="en-US-JennyNeural">there</voice></speak>'
+    with pytest.warns(SpeechWarning, match=r"x\.ssml:1:14: unknown voice .*; the usual voice speaks"):
+        utterance = synthesize_script(parse_ssml(text, "x.ssml"))
+    assert [word.text for word in utterance.words] == ["Hello", "there"]
 
 
 @pytest.mark.parametrize(("inside", "message", "spoken"), REPORTED)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
+from collections import deque
 from collections.abc import Iterable
 from pathlib import Path
 from types import FrameType, TracebackType
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
 
 
 EXIT_INTERRUPTED = 130
+_REMEMBERED = 16  # warnings that are not printed again
 INTERVAL = 10.0  # seconds between lines if no bar is shown
 _interrupted = threading.Event()
 
@@ -43,6 +45,7 @@ class Console:
         self._tasks: dict[str, TaskID] = {}
         self._said: dict[str, float] = {}
         self._warnings = warnings_to(self._warn)
+        self._told: deque[str] = deque(maxlen=_REMEMBERED)
 
     def say(self, line: str) -> None:
         """Report one line of progress, unless only faults are wanted."""
@@ -60,7 +63,9 @@ class Console:
             self._send(f"Wrote {', '.join(names)}", wrote=names)
 
     def _warn(self, line: str) -> None:
-        self._send(f"risorius: warning: {line}", warning=line)
+        if line not in self._told:  # a line that is spoken twice warns twice
+            self._told.append(line)
+            self._send(f"risorius: warning: {line}", warning=line)
 
     def _send(self, line: str, /, **parts: object) -> None:
         if self._bar is not None:

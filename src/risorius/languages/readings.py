@@ -18,7 +18,8 @@ from .load import module_of, read_table
 
 _GROUPS = re.compile(r"(?<![\d.,/:-])\d{1,3}(?:[ \u00a0\u2009\u202f]\d{3})+(?![\d/:-]|[.,]\d{3}\b)")
 _ISO = re.compile(
-    r"(?<![\w/.-])(?P<year>[12]\d{3})-(?P<month>0[1-9]|1[0-2])-(?P<day>0[1-9]|[12]\d|3[01])(?![\w/-])"
+    r"(?<![\w/.-])(?P<year>[12]\d{3})-(?P<month>0[1-9]|1[0-2])-(?P<day>0[1-9]|[12]\d|3[01])"
+    r"(?:T(?P<hour>[01]\d|2[0-3])(?P<sign>:)(?P<minute>[0-5]\d)(?::(?P<second>[0-5]\d))?)?(?![\w/-]|:\d)"
 )
 _NUMERIC = re.compile(
     r"(?<![\w/.-])(?P<first>\d{1,2})(?P<sign>[/.-])(?P<second>\d{1,2})(?P=sign)(?P<year>[12]\d{3}|\d{2})(?![\w/-]|\.\d)"
@@ -37,6 +38,11 @@ _URL = re.compile(
 _MINUS = re.compile(r"(?<![\w).,-])[-\u2212](\d[\d.,]*(?<=\d))(?![\w/:-])")
 # Digits of other scripts are read as the European ones.
 _OTHER_DIGIT = re.compile(r"(?![0-9])\d")
+_PHONE = re.compile(
+    r"(?<![\w+])\+(?=(?:[ \u00a0()-]{0,2}\d){7})"
+    r"\d{1,3}(?:[ \u00a0-](?:\d{1,9}|\(\d{1,5}\))){2,6}(?![\w-]|[.,]\d)"
+)
+_STAR = re.compile(r"(?<=\d)[ \u00a0]?\*(?=[ \u00a0]?\d)")
 _ARROW = re.compile(r"[\u2190-\u21ff\u2794-\u27be\u27f5-\u27ff]")
 _VULGAR = {
     "\u00bd": (1, 2), "\u00bc": (1, 4), "\u00be": (3, 4), "\u2153": (1, 3), "\u2154": (2, 3),
@@ -198,6 +204,7 @@ _DAY_FIRST = ("en-gb", "en-029")
 
 def _rules(readings: SpokenReadings, *, month_first: bool) -> Iterator[ReadingRule]:
     table = readings.table
+    yield ReadingRule(_PHONE, _phone)
     if table.address:
         yield ReadingRule(_EMAIL, lambda match: _address(match, table))
         yield ReadingRule(_URL, lambda match: _address(match, table))
@@ -217,6 +224,9 @@ def _rules(readings: SpokenReadings, *, month_first: bool) -> Iterator[ReadingRu
         yield ReadingRule(_MINUS, lambda match: ((f"{minus} {match[1]}", match.start()),))
     if table.between:
         yield ReadingRule(_between(table.between), lambda match: _sign_between(match, table))
+    times = table.between.get("\u00d7")
+    if times:
+        yield ReadingRule(_STAR, lambda match: ((f" {times} ", match.start()),))
     yield ReadingRule(_ARROW, lambda match: ((" ", match.start()),))
     if table.signs:
         signs = any_of(table.signs)
@@ -238,12 +248,23 @@ def _sign_between(match: re.Match[str], table: ReadingTable) -> Pieces:
     return ((f" {table.between[match['sign']]} ", match.start()),)
 
 
+def _phone(match: re.Match[str]) -> Pieces:
+    """Read an international number of a telephone digit by digit."""
+    groups = re.findall(r"\d+", match[0])
+    return (("+" + ", ".join(" ".join(group) for group in groups), match.start()),)
+
+
 def _joined_groups(match: re.Match[str], table: ReadingTable) -> Pieces:
     return ((re.sub(r"\D", table.group, match[0]), match.start()),)
 
 
 def _iso_date(match: re.Match[str], readings: SpokenReadings) -> Pieces:
-    return _date(match, readings, int(match["day"]), int(match["month"]), int(match["year"]))
+    date = _date(match, readings, int(match["day"]), int(match["month"]), int(match["year"]))
+    if date is None or match["hour"] is None:
+        return date
+    times = readings.table.times
+    time = _time(match, readings) if ":" in times.signs and times.template else None
+    return None if time is None else ((f"{date[0][0]}, {time[0][0]}", match.start()),)
 
 
 def _numeric_date(match: re.Match[str], readings: SpokenReadings, month_first: bool) -> Pieces:

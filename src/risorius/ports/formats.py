@@ -145,13 +145,11 @@ def format_read(path: Path) -> FileFormat:
     readers = {suffix: row for row in map(FORMATS.get, FORMATS) for suffix in row.read_suffixes}
     suffix = _suffix_of(path, readers)
     if suffix is None:
-        from ..script.suffixes import RECORDING_SUFFIXES, SCRIPT_SUFFIXES
+        from ..script.kinds import kind_of_suffix
 
-        ending = path.suffix.lower()
-        if ending in SCRIPT_SUFFIXES:
-            raise InputError("is to be spoken; expected risorius speak", Place(str(path)))
-        if ending in RECORDING_SUFFIXES:
-            raise InputError("is a recording; expected it after --audio", Place(str(path)))
+        kind = kind_of_suffix(path.name)
+        if kind is not None:
+            raise InputError(kind, Place(str(path)))
         raise InputError(
             unknown("kind of capture", "".join(path.suffixes[-2:]), sorted(readers)), Place(str(path))
         )

@@ -4,13 +4,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from pathlib import Path
 
 from .subtitles import looks_like_subtitles
+from .suffixes import RECORDING_SUFFIXES, SCRIPT_SUFFIXES
 
 _SUBTITLES = "expected them after --transcript, with their recording after --audio"
 _PLAIN = "expected its text in a .txt file"
 _PLAY = "expected risorius play"
 _CHARACTER = "is a character; expected it after risorius rig"
+RECORDING = "is a recording; expected it after --audio"
+_SPOKEN = "is to be spoken; expected risorius speak"
+_TEXT = "is a text; expected risorius speak"
+_LABELS = "holds labels; expected risorius speak, with their recording after --audio"
+SCORE = "is a score; expected risorius play or mix"
+_HEAD = 4000  # bytes from which a kind is told
 _XML = r"(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*"
 # By suffix: what it is, and what reads it.
 SUFFIXES: Mapping[str, str] = {
@@ -29,10 +37,10 @@ _MAGIC: tuple[tuple[bytes, str], ...] = (
     (b"%PDF", f"is a PDF; {_PLAIN}"),
     (b"{\\rtf", f"is an RTF document; {_PLAIN}"),
     (b"\xd0\xcf\x11\xe0", f"is a Word document; {_PLAIN}"),
-    (b"RIFF", "is a recording; expected it after --audio"),
-    (b"fLaC", "is a recording; expected it after --audio"),
-    (b"OggS", "is a recording; expected it after --audio"),
-    (b"ID3", "is a recording; expected it after --audio"),
+    (b"RIFF", RECORDING),
+    (b"fLaC", RECORDING),
+    (b"OggS", RECORDING),
+    (b"ID3", RECORDING),
     (b"glTF", _CHARACTER),
 )
 _CONTENT: tuple[tuple[re.Pattern[str], str], ...] = (
@@ -63,3 +71,44 @@ def misplaced(text: str, suffix: str = "") -> str | None:
 def kind_of_bytes(data: bytes) -> str | None:
     """Return what a file is by its first bytes, and how it is read; None if that is not known."""
     return next((advice for magic, advice in _MAGIC if data.startswith(magic)), None)
+
+
+def kind_of_file(path: Path) -> str | None:
+    """Return what a file is by its name or its beginning, and what reads it; None if that is not known."""
+    try:
+        with path.open("rb") as file:
+            beginning = file.read(_HEAD)
+    except (OSError, ValueError):
+        return None
+    named = kind_of_suffix(path.name)
+    by_bytes = kind_of_bytes(beginning)
+    if by_bytes is not None:
+        return by_bytes
+    if not _is_text(beginning):
+        return named
+    if named is not None and named != RECORDING:
+        return named
+    return misplaced(beginning.decode("utf-8", "ignore")) or (_TEXT if named and beginning else None)
+
+
+def _is_text(beginning: bytes) -> bool:
+    if b"\0" in beginning:
+        return False
+    try:
+        beginning[: _HEAD - 4].decode("utf-8")
+    except UnicodeDecodeError as error:
+        return len(beginning) == _HEAD and error.start >= _HEAD - 8
+    return True
+
+
+def kind_of_suffix(name: str) -> str | None:
+    """Return what a file of that name is, and what reads it; None if its suffix does not tell."""
+    name = name.lower()
+    if name.endswith(".textgrid"):
+        return _LABELS
+    if name.endswith(".score.json"):
+        return SCORE
+    suffix = Path(name).suffix
+    if suffix in SCRIPT_SUFFIXES:
+        return _SPOKEN
+    return RECORDING if suffix in RECORDING_SUFFIXES else SUFFIXES.get(suffix)

@@ -9,12 +9,14 @@ from pathlib import Path
 from ..errors import InputError, Place
 from ..script import Script, parse_script, read_script
 from ..script.files import names_something, read_text
+from ..script.kinds import misplaced
 from ..script.plain import USUAL_FORM, TextForm, only_words
 from ..script.subtitles import SUBTITLE_SUFFIXES, TimedText, looks_like_subtitles, read_subtitles
 from ..script.suffixes import RECORDING_SUFFIXES
 
 LABELS_SUFFIX = ".textgrid"
 TRANSCRIPT_SUFFIXES = (".txt", ".lab", ".md", *SUBTITLE_SUFFIXES)
+_MARKED = (".ssml", ".bml", ".xml", ".utt")
 HEARD = TextForm(heard=True)
 
 
@@ -122,7 +124,20 @@ def read_transcript(
     text = read_text(transcript)
     if _is_subtitles(transcript) or looks_like_subtitles(text):
         return None, read_subtitles(text, transcript, keep_tags=form.keep_tags)
+    _check_words_alone(text, transcript)
     return only_words(text, transcript, form), ()
+
+
+def _check_words_alone(text: str, transcript: str) -> None:
+    """Raise InputError if the file of a transcript holds more than words."""
+    suffix, place = Path(transcript).suffix.lower(), Place(transcript)
+    if suffix in (LABELS_SUFFIX, *_MARKED):
+        kind = "labels" if suffix == LABELS_SUFFIX else "marks"
+        other = f"risorius speak {transcript} --audio with the recording"
+        raise InputError(f"holds {kind}; expected its words alone, or {other}", place)
+    found = misplaced(text)
+    if found is not None:
+        raise InputError(found, place)
 
 
 def _is_subtitles(name: str, text: bool = False) -> bool:

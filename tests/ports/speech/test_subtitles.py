@@ -54,6 +54,12 @@ def test_all_words_are_shown_once_in_lines_that_can_be_read(words: list[str], se
     assert all(a.end <= b.start for a, b in pairwise(cues))
 
 
+def test_words_that_touch_in_the_text_touch_in_the_cue() -> None:
+    text = "#1 is 3×4=12, pp. 12–15, and 5*6."
+    cues = [cue.shape for cue in subtitles(synthesize_script(parse_plain(text, "text")))]
+    assert " ".join(" ".join(cues).split()) == text
+
+
 def test_marks_stand_with_the_words_that_they_open_and_close(sentence_of: Maker) -> None:
     said = replace(sentence_of("One two three."), text='One "two" (three).')
     assert [cue.shape for cue in subtitles(said)] == ['One "two" (three).']

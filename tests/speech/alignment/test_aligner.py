@@ -77,6 +77,19 @@ def test_words_that_are_not_said_are_named(spoken: Utterance) -> None:
         align(spoken.audio, spoken.text.replace("big", "scissors"))
 
 
+@pytest.mark.parametrize(
+    ("said", "wrong"),
+    [
+        ("the beam.", "the deep blue sea."),
+        ("the beam.", "the beam and then he slept."),
+        ("big ", "big green "),
+    ],
+)
+def test_words_without_room_are_named(spoken: Utterance, said: str, wrong: str) -> None:
+    with pytest.warns(SpeechWarning, match="perhaps not said in the recording"):
+        align(spoken.audio, spoken.text.replace(said, wrong))
+
+
 def test_what_the_transcript_lacks_is_told(spoken: Utterance) -> None:
     with pytest.warns(SpeechWarning, match=r"said in the recording, but not in the transcript: \d\.\d\d to"):
         align(spoken.audio, "My baby brother put the big map by")

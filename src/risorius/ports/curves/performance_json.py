@@ -16,13 +16,12 @@ from ...core.parameters import NAMES, PARAMETERS
 from ...core.performance import Performance, frame_count
 from ...errors import InputError, Place, unknown
 from ...reading.hints import Numbers, Then
-from ...reading.json_text import load_json
 from ...reading.schema import MisfitError, placed, within
 from ..export_source import WritableTake, WriteOptions
 from ..formats import register
 from ..import_result import PerformanceFile, ReadOptions
 from ..layout import write_json
-from ..score.score_json import VERSION, FormatVersion, ScoreDocument, score_to_json
+from ..score.score_json import VERSION, FormatVersion, ScoreDocument, load_document, score_to_json
 
 # Curves that were added up may miss their limits by rounding.
 _SLACK = 1e-6
@@ -95,7 +94,7 @@ def read_performance_file(path: Path) -> PerformanceFile:
     if path.name.lower().endswith(".score.json"):
         expected = f"risorius speak {path.name} -o {path.name[: -len('.score.json')]}.performance.json"
         raise InputError(f"is a score; expected a performance, as of {expected}", Place(str(path)))
-    document = load_json(path)
+    document = load_document(path, "performance")
     performance = document.read(PerformanceDocument)
     with placed(document.source):
         return performance.performance_file(path.parent)

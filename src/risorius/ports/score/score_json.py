@@ -10,9 +10,9 @@ from ...core.movement import LipSegment, ManualCurve, Movement
 from ...core.score import BlendSettings, Score, check_score
 from ...core.speech.utterance import Utterance
 from ...core.units import MAX_SECONDS
-from ...errors import InputError
+from ...errors import InputError, Place
 from ...reading.hints import Range, Then
-from ...reading.json_text import load_json
+from ...reading.json_text import JsonDocument, load_json
 from ...reading.schema import placed, within
 from ..export_source import WritableTake, WriteOptions
 from ..formats import register
@@ -79,10 +79,23 @@ def read_score_file(path: Path) -> ScoreFile:
     Raises InputError or ParameterError, with the place in the file, for anything unknown, missing, of another
     type, out of range or contradictory, and for a sound that is missing.
     """
-    document = load_json(path)
+    document = load_document(path, "score")
     score = document.read(ScoreDocument)
     with placed(document.source):
         return score.score_file(path.parent)
+
+
+def load_document(path: Path, expected: str) -> JsonDocument:
+    """Return the document in a file; if it holds none, the InputError says what the file is, if known."""
+    try:
+        return load_json(path)
+    except InputError:
+        from ...script.kinds import SCORE, kind_of_file
+
+        kind = kind_of_file(path)
+        if kind is None or kind == SCORE:
+            raise
+        raise InputError(f"is no {expected}: {kind}", Place(str(path))) from None
 
 
 def read_score_json(path: Path, _options: ReadOptions) -> ScoreFile:

@@ -17,7 +17,7 @@ from pathlib import Path
 from xml.sax.saxutils import escape
 
 from ...core.speech.utterance import Phrase, Utterance
-from ...core.speech.written_words import written_parts, written_words
+from ...core.speech.written_words import written_parts
 from ...languages.load import folder_of
 from ..export_source import WritableTake, WriteOptions
 from ..formats import register
@@ -36,9 +36,9 @@ class LineForm:
     spaced: bool = True
 
     def wrapped(self, words: Sequence[str]) -> list[str]:
-        """Return words in lines; in a script without blanks only those of the text stand between them."""
+        """Return words in lines; only the blanks of the text stand between them."""
         if self.spaced:
-            text = " ".join(words)
+            text = re.sub(r"\s+", " ", "".join(words).strip())
             return textwrap.wrap(text, self.width, break_long_words=False, break_on_hyphens=False)
         lines = [""]
         for word in words:
@@ -60,11 +60,18 @@ DENSE = {"cmn": LineForm(16, False), "yue": LineForm(16, False), "ja": LineForm(
 def subtitles(utterance: Utterance) -> Iterator[Cue]:
     """Yield the cues in order; the shape of each is its text, in lines."""
     form = DENSE.get(folder_of(utterance.language), SPACED)
-    texts = written_words(utterance) if form.spaced else written_parts(utterance)
+    texts = _texts(utterance, form)
     for _, phrases in groupby(utterance.phrases, key=lambda phrase: phrase.sentence):
         for first, last in _divided(list(phrases), texts, form):
             words = utterance.words[first:last]
             yield Cue(words[0].start, words[-1].end, "\n".join(form.wrapped(texts[first:last])))
+
+
+def _texts(utterance: Utterance, form: LineForm) -> list[str]:
+    """Return the parts of the text that belong to each word, or words with a blank if they are not found."""
+    parts = written_parts(utterance)
+    words = [word.text for word in utterance.words]
+    return [f"{word} " for word in words] if form.spaced and parts == words else parts
 
 
 def _full_width(text: str) -> float:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ...core.directions import DirectedSpan
-from ...errors import SpeechError
+from ...errors import SpeechError, SpeechWarning, warn
 from ...languages import language_of
 from ...machine.workers import LastingWorker, WorkerError
 from .espeak_events import needs_ipa, read_word, render
@@ -55,7 +55,7 @@ class EspeakEngine:
         """Speak a text. Equal requests give equal bytes."""
         language = language_of(request.voice.language)
         ipa = not _speaks_mnemonics(request.voice)
-        encoded = encode(request, language, self._voice_of)
+        encoded = encode(request, language, functools.partial(self._voice_of, request.voice))
         answer, sound = self._speak(request, encoded, ipa)
         if not ipa and needs_ipa(answer["phones"], language):
             answer, sound = self._speak(request, encoded, ipa=True)
@@ -107,12 +107,19 @@ class EspeakEngine:
         }  # fmt: skip
         return self.request(message, len(encoded.text))
 
-    def _voice_of(self, span: DirectedSpan) -> str:
-        """Return the attribute by which SSML names the voice that a span asks for."""
+    def _voice_of(self, usual: Voice, span: DirectedSpan) -> str:
+        """Return the attribute by which SSML names the voice that a span asks for.
+
+        Without a language a name that no voice has, such as another maker's, is that of the usual voice.
+        """
         try:
             voice = find_voice(span.voice, span.language, self)
         except SpeechError as error:
-            raise error.at(span.place) from None
+            if span.voice is None or span.language is not None:
+                raise error.at(span.place) from None
+            message = error.message.partition(";")[0]
+            warn(f"{span.place}: {message}; the usual voice speaks", SpeechWarning)
+            return voice_attribute(usual.key)
         return voice_attribute(voice.key)
 
     def _with_tones(self, request: SpeechRequest) -> Sequence[str]:

@@ -122,7 +122,7 @@ class SoundFileSource:
         except (soundfile.LibsndfileError, OSError, ValueError) as error:
             if self._read is not None:
                 self._read.close()
-            raise InputError(f"{_reason(error)}; expected {EXPECTED}", place) from None
+            raise InputError(_not_a_recording(path, error), place) from None
         self.sample_rate: int = self._file.samplerate
         self._container = CONTAINERS.get(self._file.format, "")
 
@@ -195,6 +195,16 @@ def _bounded(source: SoundFileSource | FilmSound, place: Place) -> Iterator[Floa
         if frames > LONGEST * source.sample_rate:
             raise InputError(f"is longer than {LONGEST / 3600:g} hours; expected less", place)
         yield block
+
+
+def _not_a_recording(path: Path, error: Exception) -> str:
+    """Return what a file is that cannot be read as a recording, or why it cannot."""
+    from ...script.kinds import RECORDING, kind_of_file
+
+    kind = kind_of_file(path)
+    if kind is None or kind == RECORDING:
+        return f"{_reason(error)}; expected {EXPECTED}"
+    return f"is no recording: {kind}"
 
 
 def _reason(error: Exception) -> str:
