@@ -5,13 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
+from .prolog import COMMENTS, DECLARATION, DOCUMENT_TYPE
 from .subtitles import looks_like_subtitles
 
 _SUBTITLES = "expected them after --transcript, with their recording after --audio"
 _PLAIN = "expected its text in a .txt file"
 _PLAY = "expected risorius play"
 _CHARACTER = "is a character; expected it after risorius rig"
-_XML = r"(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*"
+_XML = rf"{DECLARATION}{COMMENTS}(?:{DOCUMENT_TYPE}\s*+)?+{COMMENTS}"
 # By suffix: what it is, and what reads it.
 SUFFIXES: Mapping[str, str] = {
     **dict.fromkeys((".srt", ".vtt"), f"holds subtitles; {_SUBTITLES}"),
