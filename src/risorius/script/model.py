@@ -41,7 +41,8 @@ class Mark:
     `targets` maps parameter names to values. `onset`, `offset` in seconds and `function` are None if the
     channel's own apply, `priority` and `release_priority` likewise. `parts`: the movements that the mark
     consists of, one for all but gestures of the head. `label`: how the user wrote it. `emotions`: those felt,
-    by name, with their intensities 0..1.
+    by name, with their intensities 0..1. `fading`: for how many seconds it still falls after its end, unless
+    the performance is over.
     """
 
     kind: MarkKind
@@ -59,6 +60,7 @@ class Mark:
     function: str | None = None
     parts: tuple[GesturePart, ...] = WHOLE
     emotions: Mapping[str, float] = field(default_factory=dict)
+    fading: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
