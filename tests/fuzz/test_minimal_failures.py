@@ -264,7 +264,13 @@ def test_an_amount_of_thousands_of_digits_is_not_read_as_money() -> None:
 
 TEXTS = "\n".join(f"<PHONEME time='{k}' text='a'/>" for k in range(12_000))
 MARKS = "".join(f"a <mark name='m{k}'/>" for k in range(12_000))
-QUADRATIC = {"12,000 texts": (".xml", TEXTS), "12,000 marks": (".ssml", f"<speak>{MARKS}</speak>")}
+BOUNDARIES = "a <boundary type='LH'/><pause sec='0.1'/>" * 6000
+QUADRATIC = {
+    "12,000 texts": (".xml", TEXTS),
+    "12,000 marks": (".ssml", f"<speak>{MARKS}</speak>"),
+    "6,000 boundaries": (".apml", f"<apml>{BOUNDARIES}</apml>"),
+    "12,000 comments": (".apml", f"{'<!-- a -->' * 12_000}<apml>a</apml>"),
+}
 
 
 @pytest.mark.parametrize("comment", ["<!---->", "<!-- a -->", "<!--"])
