@@ -188,6 +188,16 @@ BML = (
     b'<faceFacs id="f" au="12" side="LEFT" amount="0.5" start="0" end="2"/>'
     b'<constraint><synchronize ref="s:end"><sync ref="f:end"/></synchronize></constraint></bml>'
 )
+FML = (
+    b'<fml-apml><bml><speech id="s" start="0.2" language="english">'
+    b'<tm id="a"/>Hi, <tm id="b"/>there<tm id="c"/>'
+    b'<pitchaccent id="p" type="Hstar" level="medium" start="s:a" end="s:b"/>'
+    b'<boundary id="q" type="LL" start="s:c" end="s:c+0.5"/></speech></bml>'
+    b'<fml><performative id="r" type="greet" start="s:a" end="s:b" importance="1.0"/>'
+    b'<emotion id="e" type="joy" intensity="0.5" start="r:end" end="s:c"/>'
+    b'<theme id="t" start="s:a" end="s:b"/>'
+    b'<turntaking id="g" type="givethefloor" start="s:b" end="s:c+1"/></fml></fml-apml>'
+)
 
 MARKDOWN = """---
 title: Order
@@ -253,6 +263,7 @@ register(".xml", _script, EXAMPLES / "demo.xml", EXAMPLES / "04-intonation.xml")
 register(".utt", _script, EXAMPLES / "01-julia.utt", EXAMPLES / "05-timed.utt")
 register(".ssml", _script, EXAMPLES / "02-news.ssml")
 register(".bml", _script, EXAMPLES / "03-agent.bml", BML)
+register(".apml", _script, EXAMPLES / "08-advice.apml", FML)
 register(".TextGrid", _labels, GRID)
 register(
     ".score.json", lambda path: mix(path, settings=COARSE), lambda: as_json(SCORE), lambda: as_json(MINIMAL)

@@ -45,9 +45,9 @@ from .registry import FuzzedReader
 CASES = int(os.environ.get("RISORIUS_FUZZ", samples(2000, 12)))
 COUNTED = samples(18_000, 144)
 PACKAGE_TABLES = {
-    "Articulation", "Attitude", "BmlTable", "Bulge", "Expression", "FuzzyTable", "LabelTable", "MarkupTable",
-    "PhoneInventory", "Priors", "ProsodyRules", "RegionRow", "Saccade", "SsmlTable", "Synchrony", "TagTable",
-    "Tradeoffs", "Viseme", "VoiceEmotions",
+    "ApmlTable", "Articulation", "Attitude", "BmlTable", "Bulge", "Expression", "FuzzyTable", "LabelTable",
+    "MarkupTable", "PhoneInventory", "Priors", "ProsodyRules", "RegionRow", "Saccade", "SsmlTable",
+    "Synchrony", "TagTable", "Tradeoffs", "Viseme", "VoiceEmotions",
 }  # fmt: skip
 """Tables that only the package's own files hold."""
 PARSERS = {
@@ -60,7 +60,7 @@ PARSERS = {
     "ports/curves/fap": ".fap",
     "ports/score/speech_json": ".score.json",
     "render/backdrop": ".png",
-    "script/elements": ".xml .ssml .bml",
+    "script/elements": ".xml .ssml .bml .apml",
     "live/serve/messages": ".client",
     "speech/engines/program": ".answer",
     "speech/recordings/film_worker": ".m4a .mp4 .mov .webm .mkv .aac",

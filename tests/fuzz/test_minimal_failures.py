@@ -30,6 +30,7 @@ from risorius.render.backdrop import backdrop
 from risorius.rules.emotions import parse_display
 from risorius.rules.profiles import profile_of
 from risorius.rules.rule_set import rule_set_of
+from risorius.script.kinds import misplaced
 from risorius.script.read import parse_script
 from risorius.script.textgrid import parse_textgrid
 from risorius.settings import Settings
@@ -263,7 +264,19 @@ def test_an_amount_of_thousands_of_digits_is_not_read_as_money() -> None:
 
 TEXTS = "\n".join(f"<PHONEME time='{k}' text='a'/>" for k in range(12_000))
 MARKS = "".join(f"a <mark name='m{k}'/>" for k in range(12_000))
-QUADRATIC = {"12,000 texts": (".xml", TEXTS), "12,000 marks": (".ssml", f"<speak>{MARKS}</speak>")}
+BOUNDARIES = "a <boundary type='LH'/><pause sec='0.1'/>" * 6000
+QUADRATIC = {
+    "12,000 texts": (".xml", TEXTS),
+    "12,000 marks": (".ssml", f"<speak>{MARKS}</speak>"),
+    "6,000 boundaries": (".apml", f"<apml>{BOUNDARIES}</apml>"),
+    "12,000 comments": (".apml", f"{'<!-- a -->' * 12_000}<apml>a</apml>"),
+}
+
+
+@pytest.mark.parametrize("comment", ["<!---->", "<!-- a -->", "<!--"])
+def test_many_comments_before_plain_words_do_not_take_for_ever(comment: str) -> None:
+    with one_line_or_done(seconds=3.0):
+        misplaced(comment * 200 + "Hello.")
 
 
 @pytest.mark.parametrize("name", QUADRATIC)

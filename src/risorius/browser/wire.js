@@ -149,7 +149,7 @@
  * where phones begin elsewhere than was found.
  * @typedef {Object} Source
  * @property {string} [script]
- * @property {"text"|"xml"|"utt"|"ssml"|"bml"|"score"|"TextGrid"} [format]
+ * @property {"text"|"xml"|"utt"|"ssml"|"bml"|"apml"|"score"|"TextGrid"} [format]
  * @property {string|null} [recording]
  * @property {Array<EdgeShift>} [edges]
  */

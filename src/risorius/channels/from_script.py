@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..core.speech.utterance import Utterance
 from ..rules.emotions import Display
-from ..script import Script, felt_in, listening_in, movements_of
+from ..script import Script, felt_in, information_in, listening_in, movements_of
 from .inputs import ChannelInputs
 
 # Seconds that a script without speech lasts at least, unless it says how long.
@@ -29,4 +29,5 @@ def inputs_of(
         emotions=emotions,
         felt=felt_in(script, words, duration),
         listening=listening_in(script, words, duration),
+        information=information_in(script, words, duration),
     )

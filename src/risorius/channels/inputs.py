@@ -14,7 +14,7 @@ from ..rules.modulation import Modulation
 from ..rules.profiles import NEUTRAL, Attitude, Profile, profile
 from ..rules.rule_set import RuleSet, shipped
 from ..rules.rule_spans import RuleSpans
-from ..rules.situation import Situation
+from ..rules.situation import PartSpan, Situation
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,8 @@ class ChannelInputs:
 
     `utterance` is None if nothing is said. `marks`: the script's movements, of all channels. `emotions`:
     the displays asked for beside the script; `felt`: those that the script marks. `listening`: spans of
-    listening, seconds. `lively`: whether rules, random blinks, small head and eye movements are wanted.
+    listening, seconds. `information`: themes and rhemes. `lively`: whether rules, random
+    blinks, small head and eye movements are wanted.
     `rules`: those in force.
     """
 
@@ -33,6 +34,7 @@ class ChannelInputs:
     emotions: tuple[Display, ...] = ()
     felt: tuple[Display, ...] = ()
     listening: tuple[tuple[float, float], ...] = ()
+    information: tuple[PartSpan, ...] = ()
     articulation: float = 1.0
     manner: str = "plain"
     lively: bool = True
@@ -44,7 +46,7 @@ class ChannelInputs:
     def situation(self) -> Situation:
         """The situation that rules are matched against."""
         felt = (*self.felt, *self.emotions)
-        return Situation(self.duration, self.utterance, felt, self.listening)
+        return Situation(self.duration, self.utterance, felt, self.listening, self.information)
 
     @cached_property
     def units(self) -> RuleSpans:

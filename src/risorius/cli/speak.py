@@ -33,8 +33,8 @@ def speak(
 ) -> None:
     """Perform INPUT: a text, a file, or - for standard input.
 
-    Files: .txt, .xml, .utt, .ssml, .bml, .TextGrid, .score.json. Without -o the video performance.mp4 is
-    written here.
+    Files: .txt, .xml, .utt, .ssml, .bml, .apml, .TextGrid, .score.json. Without -o the video
+    performance.mp4 is written here.
 
     With --audio a recorded voice is performed. INPUT or --transcript gives its words; if INPUT is a
     .TextGrid, it gives their times as well. Without these the words are recognized.

@@ -133,6 +133,7 @@ def conditions(when: When) -> tuple[Condition, ...]:
         (when.rate, lambda u: _within(when.rate, u.rate)),
         (when.lasting, lambda u: _within(when.lasting, u.end - u.start)),
         (when.turn, lambda u: u.turn in when.turn),
+        (when.information, lambda u: u.information in when.information),
         (when.intensity or when.emotion, lambda u: _felt(when, u.emotions)),
     ]
     return tuple(condition for wanted, condition in each if wanted)

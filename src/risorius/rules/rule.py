@@ -37,7 +37,8 @@ class Level(StrEnum):
     """The stretches of a performance that a rule is tried on, one after another.
 
     ITEM is the word, in slow speech the syllable (paper B, section 4.1). An UTTERANCE is a sentence, a TURN
-    all that is said up to the next listening, a MOMENT a second of the clip.
+    all that is said up to the next listening, INFORMATION a theme or a rheme that the script marks, a
+    MOMENT a second of the clip.
     """
 
     PHONEME = "phoneme"
@@ -48,6 +49,7 @@ class Level(StrEnum):
     UTTERANCE = "utterance"
     TURN = "turn"
     PAUSE = "pause"
+    INFORMATION = "information"
     MOMENT = "moment"
 
 
@@ -58,6 +60,13 @@ class Position(StrEnum):
     INNER = "inner"
     LAST = "last"
     ONLY = "only"
+
+
+class InformationPart(StrEnum):
+    """The topic of an utterance, and what is said of it (Steedman 1991)."""
+
+    THEME = "theme"
+    RHEME = "rheme"
 
 
 class TurnState(StrEnum):
@@ -88,7 +97,8 @@ class When:
 
     `accent`, `boundary`: ToBI labels, or "any". `pause`: the pause's kind, or that of the one after the unit.
     `rate`: lowest and highest, syllables a second; `lasting`: likewise, seconds. `emotion`: the strongest one
-    felt, by name, at `intensity` at least; "none" if nothing is felt. `profile`, `attitude`: names of
+    felt, by name, at `intensity` at least; "none" if nothing is felt. `information`: the part of what is said
+    that the unit is. `profile`, `attitude`: names of
     speakers' profiles, and of attitudes one of which the speaker has.
     """
 
@@ -106,6 +116,7 @@ class When:
     emotion: tuple[str, ...] = ()
     intensity: Share = 0.0
     turn: tuple[TurnState, ...] = ()
+    information: tuple[InformationPart, ...] = ()
     profile: tuple[str, ...] = ()
     attitude: tuple[str, ...] = ()
 
@@ -214,6 +225,7 @@ CONDITIONS: Mapping[Level, frozenset[str]] = {
     Level.UTTERANCE: _ALWAYS | {"boundary", "pause", "question", "position"},
     Level.TURN: _ALWAYS | {"question", "position"},
     Level.PAUSE: _ALWAYS | {"pause", "question", "position"},
+    Level.INFORMATION: _ALWAYS | {"information", "boundary", "pause", "question", "position"},
     Level.MOMENT: _ALWAYS - {"lasting"},
 }
 

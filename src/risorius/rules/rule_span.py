@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from ..core.speech.utterance import Accent, PauseKind, Question
 from ..reading.frozen import FrozenDict
-from .rule import Level, Position, TurnState
+from .rule import InformationPart, Level, Position, TurnState
 from .synchrony import synchrony
 
 
@@ -41,6 +41,7 @@ class RuleSpan:
     group: int = 0
     emotions: Mapping[str, float] = field(default_factory=FrozenDict)
     turn: TurnState = TurnState.SPEAKING
+    information: InformationPart | None = None
     before: tuple[float, float] | None = None
     after: tuple[float, float] | None = None
 

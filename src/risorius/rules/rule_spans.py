@@ -59,6 +59,7 @@ class RuleSpans:
             Level.UTTERANCE: lambda: spoken.stretches(Level.UTTERANCE),
             Level.TURN: lambda: spoken.stretches(Level.TURN),
             Level.PAUSE: spoken.pauses,
+            Level.INFORMATION: spoken.information,
         }
 
     def _moments(self) -> Iterator[RuleSpan]:

@@ -7,17 +7,29 @@ from dataclasses import dataclass
 
 from ..core.speech.utterance import Utterance
 from .emotions import Display, emotion_key
-from .rule import TurnState
+from .rule import InformationPart, TurnState
+
+
+@dataclass(frozen=True, slots=True)
+class PartSpan:
+    """A theme or a rheme in seconds [start, end)."""
+
+    part: InformationPart
+    start: float
+    end: float
 
 
 @dataclass(frozen=True, slots=True)
 class Situation:
-    """`felt`: emotions with their spans. `listening`: spans of listening in order, seconds."""
+    """`felt`: emotions with their spans. `listening`: spans of listening in order, seconds. `information`:
+    themes and rhemes, in order.
+    """
 
     duration: float
     utterance: Utterance | None = None
     felt: tuple[Display, ...] = ()
     listening: tuple[tuple[float, float], ...] = ()
+    information: tuple[PartSpan, ...] = ()
 
     def emotions_at(self, time: float) -> Mapping[str, float]:
         """Return the emotions felt at a time, by name, with their intensities 0..1."""

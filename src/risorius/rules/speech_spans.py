@@ -8,7 +8,7 @@ from collections.abc import Container, Iterable, Iterator, Sequence
 from typing import Any, Protocol
 
 from ..core.speech.utterance import SILENCE, Accent, Pause, PauseKind, Utterance
-from .discourse import groups_of, rate_of_phrase, turns_of
+from .discourse import Turn, groups_of, rate_of_phrase, turns_of
 from .rule import Level, Position
 from .rule_span import RuleSpan
 from .situation import Situation
@@ -186,6 +186,25 @@ class SpeechSpans:
                 **self._accented(self._accents(s.first_word, s.last_word)),
                 **self._ending(s.last_word - 1, True),
                 question=self.said.phrases[self._index(Level.PHRASE, s.last_word - 1)].question,
+                position=position,
+            )  # fmt: skip
+
+    def information(self) -> Iterator[RuleSpan]:
+        """Yield themes and rhemes, by their place in the utterance; one without words is left out."""
+        words = self.said.words
+        found = []
+        for span in self.situation.information:
+            first, last = (bisect_left(words, t, key=lambda w: w.start) for t in (span.start, span.end))
+            if first < last:
+                found.append((span.part, first, last))
+        positions = _positions(self._index(Level.UTTERANCE, first) for _, first, _ in found)
+        counts = Counter[int]()
+        for (part, first, last), position in zip(found, positions, strict=True):
+            stretch = Turn(first, last, words[first].start, words[last - 1].end)
+            yield self._unit(
+                Level.INFORMATION, counts, stretch, f'the {part} "{self._text(stretch)}"', first,
+                **self._ending(last - 1, True),
+                information=part,
                 position=position,
             )  # fmt: skip
 

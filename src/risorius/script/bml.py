@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
+from ..core.directions import Directions
 from ..errors import InputError, Place, RisoriusError, unknown
 from .anchor import Anchor, Base
 from .apart import check_apart
@@ -31,15 +32,15 @@ def parse_bml(text: str, source: str = "text") -> Script:
     Raises InputError or ParameterError, with file, line and column, for anything that is not as expected;
     warns (ScriptWarning) of what is not understood.
     """
-    reading = _Reading(source)
+    reading = BmlReading(source)
     for node in read_tree(text, source, ROOT).elements():
         reading.add(node)
-    return reading.script()
+    return reading.script(reading.table())
 
 
 @dataclass
-class _Reading:
-    """The content of a block, as far as it has been read."""
+class BmlReading:
+    """The content of a block, as far as it has been read. A dialect has readings of its own."""
 
     source: str
     unknowns: Unknowns = field(default_factory=Unknowns)
@@ -73,7 +74,7 @@ class _Reading:
             self.add(child.inheriting(node))
 
     def _behave(self, node: XmlNode) -> None:
-        name = self._name(node)
+        name = self.name_of(node)
         self.unknowns.check(node, (*ANY, *SHAPES[node.name](node), *ATTRIBUTES[node.name]))
         behaviour = Behaviour(name, node.place, SHAPES[node.name](node))
         for point in behaviour.shape:
@@ -82,7 +83,8 @@ class _Reading:
         self.behaviours[name] = behaviour
         self.nodes[name] = node
 
-    def _name(self, node: XmlNode) -> str:
+    def name_of(self, node: XmlNode) -> str:
+        """Return a behaviour's name: its id, or one of its kind and number."""
         own_name = node.get("id")
         name = own_name.value.strip() if own_name is not None else f"{node.name}.{len(self.behaviours) + 1}"
         if name in self.behaviours:
@@ -91,9 +93,9 @@ class _Reading:
         return name
 
     def _speak(self, node: XmlNode) -> None:
-        name = self._name(node)
+        name = self.name_of(node)
         offset = self.characters
-        text, directions = read_words(node, self.unknowns)
+        text, directions = self.words_of(name, node)
         check_speakable(text, self.source, node.place)
         if (end := node.get("end")) is not None:
             self.unknowns.tell("end of <speech>", end.place)
@@ -107,6 +109,10 @@ class _Reading:
         fixed["end"] = Anchor(Base.TEXT_END, 0.0, character=offset + len(text), place=node.place)
         references = {"start": reference} if reference is not None else {}
         self.behaviours[name] = Behaviour(name, node.place, {}, references, fixed)
+
+    def words_of(self, name: str, node: XmlNode) -> tuple[str, Directions]:
+        """Return the words of the speech `name`."""
+        return read_words(node, self.unknowns)
 
     def _constrain(self, node: XmlNode) -> None:
         """Let points of behaviours follow another point."""
@@ -137,19 +143,23 @@ class _Reading:
             raise InputError(unknown(f"sync point of '{name}'", one_line(point), known), target.place)
         return self.behaviours[name], point, target.seconds
 
-    def script(self) -> Script:
-        """Return the script that has been read, all references resolved."""
+    def table(self) -> Timetable:
+        """Return when all points are reached that have been read."""
         for node in self.constraints:
             self._constrain(node)
-        table = Timetable(self.behaviours)
-        marks = [mark for name in self.nodes for mark in self._marks(name, table)]
+        return Timetable(self.behaviours)
+
+    def script(self, table: Timetable) -> Script:
+        """Return the script that has been read, all references resolved."""
+        marks = [mark for name in self.nodes for mark in self.marks_of(name, table)]
         check_apart((mark, mark.start) for mark in marks)
         if not marks and not self.lines:
             raise InputError("the script has no behaviour; expected at least one", Place(self.source, 1))
         lines = tuple(self._placed(name, before) for before, name in pairwise((None, *self.lines)) if name)
         return script_of(lines, tuple(marks), timed=True, source=self.source)
 
-    def _marks(self, name: str, table: Timetable) -> Iterator[Mark]:
+    def marks_of(self, name: str, table: Timetable) -> Iterator[Mark]:
+        """Yield the marks of the behaviour `name`."""
         node = self.nodes[name]
         times = Times(name, table)
         try:

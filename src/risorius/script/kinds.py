@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
+from .prolog import COMMENTS, DECLARATION, DOCUMENT_TYPE
 from .subtitles import looks_like_subtitles
 from .suffixes import RECORDING_SUFFIXES, SCRIPT_SUFFIXES
 
@@ -19,7 +20,8 @@ _TEXT = "is a text; expected risorius speak"
 _LABELS = "holds labels; expected risorius speak, with their recording after --audio"
 SCORE = "is a score; expected risorius play or mix"
 _HEAD = 4000  # bytes from which a kind is told
-_XML = r"(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*"
+_APML = "(?:apml|APML|fml-apml|FML-APML)"
+_XML = rf"{DECLARATION}{COMMENTS}(?:{DOCUMENT_TYPE}\s*+)?+{COMMENTS}"
 # By suffix: what it is, and what reads it.
 SUFFIXES: Mapping[str, str] = {
     **dict.fromkeys((".srt", ".vtt"), f"holds subtitles; {_SUBTITLES}"),
@@ -43,17 +45,33 @@ _MAGIC: tuple[tuple[bytes, str], ...] = (
     (b"ID3", RECORDING),
     (b"glTF", _CHARACTER),
 )
-_CONTENT: tuple[tuple[re.Pattern[str], str], ...] = (
-    (re.compile(rf"{_XML}<(?:\w+:)?speak[\s>]", re.DOTALL), "looks like SSML; expected a .ssml file"),
-    (re.compile(rf"{_XML}<bml[\s>]", re.DOTALL), "looks like BML; expected a .bml file"),
+# By the first characters: what it is and how it is read, and the suffixes of files that are read so.
+_CONTENT: tuple[tuple[re.Pattern[str], str, tuple[str, ...]], ...] = (
+    (
+        re.compile(rf"{_XML}<(?:\w+:)?speak[\s>]", re.DOTALL),
+        "looks like SSML; expected a .ssml file",
+        (".ssml",),
+    ),
+    (re.compile(rf"{_XML}<bml[\s>]", re.DOTALL), "looks like BML; expected a .bml file", (".bml",)),
+    (
+        re.compile(rf"{_XML}<{_APML}[\s>]", re.DOTALL),
+        "looks like APML; expected a .apml file",
+        (".apml", ".xml"),
+    ),
     (
         re.compile(rf"{_XML}<(?:PHONEME|EMOTIONDISPLAY)[\s>]", re.DOTALL),
         "looks like markup; expected a .xml file",
+        (".xml",),
     ),
-    (re.compile(r"File type = \"ooTextFile"), "looks like a TextGrid; expected a .TextGrid file"),
-    (re.compile(r"\{\s*\"risorius\"\s*:"), "looks like a score; expected a .score.json file"),
-    (re.compile(r"(?:<!DOCTYPE html|<html)[\s>]", re.IGNORECASE), f"looks like a page; {_PLAIN}"),
+    (re.compile(r"File type = \"ooTextFile"), "looks like a TextGrid; expected a .TextGrid file", ()),
+    (re.compile(r"\{\s*\"risorius\"\s*:"), "looks like a score; expected a .score.json file", ()),
+    (re.compile(r"(?:<!DOCTYPE html|<html)[\s>]", re.IGNORECASE), f"looks like a page; {_PLAIN}", ()),
 )
+
+
+def is_apml(text: str) -> bool:
+    """Tell whether a text is an XML document whose root is that of APML or of FML-APML."""
+    return bool(re.match(rf"\s*+{_XML}<{_APML}[\s/>]", text, re.DOTALL))
 
 
 def misplaced(text: str, suffix: str = "") -> str | None:
@@ -64,8 +82,8 @@ def misplaced(text: str, suffix: str = "") -> str | None:
     if looks_like_subtitles(text):
         return f"looks like subtitles; {_SUBTITLES}, in a .srt or .vtt file"
     start = text.lstrip()[:2000]
-    found = (advice for pattern, advice in _CONTENT if pattern.match(start))
-    return next((advice for advice in found if not suffix or f"expected a {suffix} file" not in advice), None)
+    found = (advice for pattern, advice, own in _CONTENT if suffix not in own and pattern.match(start))
+    return next(found, None)
 
 
 def kind_of_bytes(data: bytes) -> str | None:

@@ -10,6 +10,7 @@ from ..core.directions import UNDIRECTED, Directions
 from ..core.speech.utterance import Word
 from ..errors import Place
 from ..rules.gestures import GesturePart
+from ..rules.rule import InformationPart
 from .anchor import Anchor, Base
 
 # Minimum hold, in seconds, of a mark that lasts to the end and has no onset of its own.
@@ -40,7 +41,8 @@ class Mark:
     `targets` maps parameter names to values. `onset`, `offset` in seconds and `function` are None if the
     channel's own apply, `priority` and `release_priority` likewise. `parts`: the movements that the mark
     consists of, one for all but gestures of the head. `label`: how the user wrote it. `emotions`: those felt,
-    by name, with their intensities 0..1.
+    by name, with their intensities 0..1. `fading`: for how many seconds it still falls after its end, unless
+    the performance is over.
     """
 
     kind: MarkKind
@@ -58,6 +60,7 @@ class Mark:
     function: str | None = None
     parts: tuple[GesturePart, ...] = WHOLE
     emotions: Mapping[str, float] = field(default_factory=dict)
+    fading: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,12 +80,22 @@ class SpokenLine:
 
 
 @dataclass(frozen=True, slots=True)
+class PartMark:
+    """A theme or a rheme, from `start` to `end`."""
+
+    part: InformationPart
+    start: Anchor
+    end: Anchor
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
 class Script:
     """The words to speak, line by line, and the marks.
 
     `text`: all lines, joined by line ends. `timed`: times are absolute, without lead or tail (markup).
     `source`: the file's name. `language`: None if the source does not say. `duration`: how many seconds the
-    performance lasts at least.
+    performance lasts at least. `information`: what is theme and what is rheme.
     """
 
     text: str
@@ -92,6 +105,7 @@ class Script:
     source: str = "text"
     language: str | None = None
     duration: float = 0.0
+    information: tuple[PartMark, ...] = ()
 
     def lasting(self, words: Sequence[Word], spoken: float) -> float:
         """Return how many seconds the performance lasts at least; `words` fill `spoken` seconds.

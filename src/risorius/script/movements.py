@@ -68,6 +68,7 @@ def _warn_of_rivals(mark: Mark) -> None:
 
 def _parts(mark: Mark, words: Sequence[Word], duration: float) -> Iterator[_Timed]:
     start, end = (on_tick(a.resolve(words, duration)) for a in (mark.start, mark.end))
+    end = on_tick(max(end, min(end + mark.fading, duration)))
     if not start < end:
         raise InputError(
             f"{mark.label} ends at {end:g} s ({mark.end}), not after its start at {start:g} s ({mark.start})",

@@ -24,7 +24,8 @@ _LANGUAGE = "en"
 EXAMPLE = "(JUlia prefers) (POPcorn)"
 _ITEM = re.compile(r"[^\s()]+")
 _BRACKETED = re.compile(r"[()]")
-_WORD = re.compile(r"[^\W_](?:[\w'’.-]*[^\W_])?")
+SPOKEN_WORD = re.compile(r"[^\W_](?:[\w'’.-]*[^\W_])?")
+PUNCTUATION = ",.;:?!…"
 _CAPITALS = re.compile(r"[A-ZÀ-ÖØ-Þ]{2}|^[A-ZÀ-ÖØ-Þ]$")
 
 
@@ -158,17 +159,17 @@ def _phrase(phrase: Bracket, tune: Tune, *, first: bool) -> Written:
     placed = [
         (start + m.start(), start + m.end(), item)
         for start, item, word in zip(_starts(spelled), phrase.items, spelled, strict=True)
-        for m in _WORD.finditer(word)
+        for m in SPOKEN_WORD.finditer(word)
     ]
     if not placed:
         raise InputError("no word in these brackets; expected one", phrase.place)
     accented = list(zip(tune.accents, _accented(placed, tune), strict=True))
     directions = Directions(
-        spans=tuple(DirectedSpan(*span, where, _sounding(label)) for (label, where), span in accented),
+        spans=tuple(DirectedSpan(*span, where, accent_manner(label)) for (label, where), span in accented),
         accents=tuple(ToneMark(start, label, where) for (label, where), (start, _) in accented),
         boundaries=(ToneMark(placed[-1][0], tune.boundary, tune.place),) if tune.boundary else (),
     )
-    text = " ".join(spelled) + (phrase.after or _punctuation(tune.boundary, spelled[-1]))
+    text = " ".join(spelled) + (phrase.after or closing_mark(tune.boundary, spelled[-1]))
     return Written(text, directions, (tuple((a, b) for a, b, _ in placed),))
 
 
@@ -199,13 +200,15 @@ def _accented(placed: Sequence[tuple[int, int, Item]], tune: Tune) -> list[tuple
     return marked if tune.accents else []
 
 
-def _sounding(label: str) -> VoiceAdjustment:
+def accent_manner(label: str) -> VoiceAdjustment:
+    """Return how a voice speaks a word with this accent."""
     semitones = _voicing().accents.get(label, 0.0)
     return VoiceAdjustment(pitch=semitones) if semitones else PLAIN
 
 
-def _punctuation(boundary: str, last: str) -> str:
-    return "" if last[-1:] in ",.;:?!…" else _voicing().boundaries.get(boundary, "")
+def closing_mark(boundary: str, last: str) -> str:
+    """Return the punctuation that makes a voice end a phrase so, "" if `last`, its last word, has some."""
+    return "" if last[-1:] in PUNCTUATION else _voicing().boundaries.get(boundary, "")
 
 
 def _voicing() -> Voicing:

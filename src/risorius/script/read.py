@@ -11,9 +11,10 @@ from pathlib import Path
 
 from ..core.registry import Registry
 from ..errors import InputError, Place, UnusedSettingError, unknown
+from .apml import parse_apml
 from .bml import parse_bml
 from .files import names_something, read_text
-from .kinds import SUFFIXES, misplaced
+from .kinds import SUFFIXES, is_apml, misplaced
 from .markup import parse_markup
 from .model import Script
 from .plain import USUAL_FORM, TextForm, parse_markdown, parse_plain
@@ -24,12 +25,19 @@ from .utt import parse_utterance
 
 ScriptReader = Callable[[str, str], Script]
 
+
+def _parse_xml(text: str, source: str) -> Script:
+    """Return the script of an XML document, by its root: APML, or the markup."""
+    return (parse_apml if is_apml(text) else parse_markup)(text, source)
+
+
 READERS: Registry[ScriptReader] = Registry("suffix")
 READERS.register(".txt")(parse_plain)
-READERS.register(".xml")(parse_markup)
+READERS.register(".xml")(_parse_xml)
 READERS.register(".utt")(parse_utterance)
 READERS.register(".ssml")(parse_ssml)
 READERS.register(".bml")(parse_bml)
+READERS.register(".apml")(parse_apml)
 READERS.register(".md")(parse_markdown)
 READERS.register(".markdown")(parse_markdown)
 

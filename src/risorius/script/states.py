@@ -1,4 +1,4 @@
-"""The speaker's state in a script: emotions felt, and spans in which the other one speaks."""
+"""The speaker's state in a script: emotions felt, what is said of what, and when the other one speaks."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from ..core.speech.utterance import Word
 from ..rules.emotions import Display
+from ..rules.situation import PartSpan
 from .model import Mark, MarkKind, Script
 
 
@@ -28,3 +29,12 @@ def listening_in(script: Script, words: Sequence[Word], duration: float) -> tupl
         if mark.kind is MarkKind.LISTEN
     }
     return tuple(sorted(spans))
+
+
+def information_in(script: Script, words: Sequence[Word], duration: float) -> tuple[PartSpan, ...]:
+    """Return the themes and rhemes that the script marks, with their spans in seconds, in order."""
+    spans = (
+        PartSpan(m.part, m.start.resolve(words, duration), m.end.resolve(words, duration))
+        for m in script.information
+    )
+    return tuple(sorted(spans, key=lambda span: (span.start, span.end, span.part)))

@@ -114,15 +114,17 @@ class Unknowns:
                 self.tell(f"{one_line(attribute.name)} of <{one_line(node.written)}>", attribute.place)
 
 
-def read_tree(text: str, source: str, root: str) -> XmlNode:
-    """Return the root element, which has to be `root`.
+def read_tree(text: str, source: str, root: str, *other_roots: str) -> XmlNode:
+    """Return the root element, which has to be `root`, or one of `other_roots`.
 
     Raises InputError with its place for what is not well-formed, and for document types and entities.
     """
     reader = _TreeReader(text.replace("\r\n", "\n").replace("\r", "\n"), source)
     reader.parse()
     roots = list(reader.top.elements())
-    wrong = next((r for r in roots if r.name != root), roots[1] if len(roots) > 1 else None)
+    wrong = next(
+        (r for r in roots if r.name not in (root, *other_roots)), roots[1] if len(roots) > 1 else None
+    )
     if wrong is not None:
         shown = one_line(wrong.name)
         raise InputError(f"<{shown}> stands outside; expected one <{root}> around everything", wrong.place)

@@ -13,10 +13,10 @@ from itertools import chain
 
 from ..core.directions import Break, DirectedSpan, Directions
 from ..errors import InputError, ParameterError, Place, unknown
-from ..rules.emotions import emotion as find_emotion
 from .anchor import Anchor, Base, parse_number
 from .dectalk import Dictated, read_phonemes
-from .model import Mark, MarkKind, Script, SpokenLine, script_of
+from .displays import display_mark
+from .model import Mark, Script, SpokenLine, script_of
 from .notation import Bracket, Item, Tune, Written, has_brackets, read_brackets, read_tune, write_out
 from .quote import one_line, quoted
 from .speakable import check_length, check_speakable
@@ -209,15 +209,5 @@ def _mark(written: str, place: Place) -> Mark:
             f"{quoted(written.strip())} is not an emotion; expected e.g. happiness 0.7 or happiness 0.7/80",
             place,
         )
-    try:
-        emotion = find_emotion(name)
-        targets = emotion.shown_units(intensity)
-    except ParameterError as error:
-        raise error.at(place) from None
     start, end = Anchor(Base.START, 0.0, place=place), Anchor(Base.END, 0.0, place=place)
-    label = f"emotion: {emotion.name} {intensity:g}"
-    priority = emotion.priority_at(intensity) if priority is None else priority
-    return Mark(
-        MarkKind.EMOTION, "emotion", start, end, targets, label, place, emotion.onset, emotion.offset,
-        layer=emotion.name, emotions={emotion.name: intensity}, priority=priority, function=emotion.function,
-    )  # fmt: skip
+    return display_mark(name, intensity, (start, end), place, priority)

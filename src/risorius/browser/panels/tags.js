@@ -11,6 +11,7 @@ const TAGS = new RegExp(TAG, "g");
 const ROOTS = [
   [/^\s*(<\?xml[^>]*>\s*)?<speak\b/i, "ssml"],
   [/^\s*(<\?xml[^>]*>\s*)?<bml\b/i, "bml"],
+  [/^\s*(<\?xml[^>]*>\s*)?(<!DOCTYPE[^>]*>\s*)?<(fml-)?apml\b/i, "apml"],
   [/^\s*</, "xml"],
 ];
 

@@ -140,7 +140,7 @@ class Performer:
         return LabelledRecording(str(labels), audio)
 
 
-_SUFFIX = {name: f".{name}" for name in ("xml", "utt", "ssml", "bml")} | {"text": ".txt"}
+_SUFFIX = {name: f".{name}" for name in ("xml", "utt", "ssml", "bml", "apml")} | {"text": ".txt"}
 
 
 def _script(source: Source, settings: Settings) -> Script:

@@ -11,7 +11,7 @@ from ...speech.structure.edges_moved import EdgeShift
 from .choices import choices_class
 
 Whole = Annotated[int, Range(0, 2**31)]
-Format = Literal["text", "xml", "utt", "ssml", "bml", "score", "TextGrid"]
+Format = Literal["text", "xml", "utt", "ssml", "bml", "apml", "score", "TextGrid"]
 
 
 @dataclass(frozen=True, slots=True)
