@@ -1,5 +1,5 @@
 #!/bin/sh
-# OpenJTalk (pyopenjtalk-plus) reads the signs + x ÷ & % of Japanese text, but no minus, and a clock time without its hour and minute.
+# OpenJTalk (pyopenjtalk-plus) reads the signs + × ÷ of Japanese text, but no minus, and a clock time without its hour and minute.
 # Guess before the run (of minus and clock, met by chance before; the other signs are new): all signs of arithmetic are read alike,
 # minus as "mainasu", and 19:30 is "juukuji sanjuppun", as 19時30分 is.
 set -eu
@@ -7,7 +7,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 "${PYTHON:-python3}" -m venv "$folder/venv"
 "$folder/venv/bin/pip" install --quiet --disable-pip-version-check pyopenjtalk-plus==0.4.1.post10
-"$folder/venv/bin/python" - 2>/dev/null <<'PY'
+"$folder/venv/bin/python" - <<'PY'
 import sys
 
 import pyopenjtalk
