@@ -84,7 +84,7 @@ def test_recordings_of_a_folder_have_their_words_beside_them(tmp_path: Path) -> 
     assert found == [
         {"id": "a", "audio": "a.flac", "script": "a.TextGrid"},
         f"{tmp_path}/c.wav: there are no words beside it; expected a .txt, .lab or .TextGrid of that name",
-        f"{tmp_path}/d.lab: there is not a recording beside it; expected e.g. a .wav of that name",
+        f"{tmp_path}/d.lab: there is no recording beside it; expected e.g. a .wav of that name",
         {"id": "b/2", "audio": "b/2.wav", "transcript": "b/2.lab"},
     ]
 

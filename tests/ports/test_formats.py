@@ -44,9 +44,16 @@ def test_a_suffix_near_to_none_gets_the_list() -> None:
         format_for(Path("x.qqqqqq"))
 
 
-@pytest.mark.parametrize("name", ["x.bvh", "x.TextGrid", "x"])
-def test_a_file_that_is_only_written_is_not_read(name: str) -> None:
-    with pytest.raises(InputError, match="unknown kind of capture"):
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("x.bvh", "unknown kind of capture"),
+        ("x.TextGrid", "holds labels; expected risorius speak"),
+        ("x", "unknown kind of capture"),
+    ],
+)
+def test_a_file_that_is_only_written_is_not_read(name: str, message: str) -> None:
+    with pytest.raises(InputError, match=message):
         format_read(Path(name))
 
 

@@ -82,18 +82,18 @@ def test_a_recording_is_not_a_transcript(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "content", "message"),
     [
-        ("x.ssml", "<speak>Hi.</speak>", "is not a recording: is to be spoken; expected risorius speak"),
+        ("x.ssml", "<speak>Hi.</speak>", "is not a recording: it is to be spoken; expected risorius speak"),
         (
             "x.TextGrid",
             'File type = "ooTextFile"\n',
-            "is not a recording: holds labels; expected risorius speak",
+            "is not a recording: it holds labels; expected risorius speak",
         ),
-        ("x.srt", SRT, "is not a recording: holds subtitles; expected them after --transcript"),
-        ("voice.wav", "Good morning.", "is not a recording: is a text; expected risorius speak"),
+        ("x.srt", SRT, "is not a recording: it holds subtitles; expected them after --transcript"),
+        ("voice.wav", "Good morning.", "is not a recording: it is a text; expected risorius speak"),
         ("voice.wav", b"\xff\xfb\x90\x00abc", "cannot be read"),
-        ("voice.wav", SRT, "is not a recording: looks like subtitles"),
-        ("voice.mp3", b"PK\x03\x04" + bytes(60), "is not a recording: is a document or an archive"),
-        ("x.glb", b"glTF" + bytes(60), "is not a recording: is a character; expected it after risorius rig"),
+        ("voice.wav", SRT, "is not a recording: it looks like subtitles"),
+        ("voice.mp3", b"PK\x03\x04" + bytes(60), "is not a recording: it is a document or an archive"),
+        ("x.glb", b"glTF" + bytes(60), "is not a recording: it is a character; expected it after risorius rig"),
     ],
 )
 def test_a_file_that_is_no_recording_is_named(
@@ -109,10 +109,10 @@ def test_a_file_that_is_no_recording_is_named(
 @pytest.mark.parametrize(
     ("name", "content", "message"),
     [
-        ("x.ssml", "<speak>Hi.</speak>", "is not a score: is to be spoken; expected risorius speak"),
-        ("x.TextGrid", 'File type = "ooTextFile"\n', "is not a score: holds labels"),
-        ("x.wav", b"RIFF" + bytes(60), "is not a score: is a recording; expected it after --audio"),
-        ("x.csv", "a,b\n1,2\n", "is not a score: is a table: expected risorius play"),
+        ("x.ssml", "<speak>Hi.</speak>", "is not a score: it is to be spoken; expected risorius speak"),
+        ("x.TextGrid", 'File type = "ooTextFile"\n', "is not a score: it holds labels"),
+        ("x.wav", b"RIFF" + bytes(60), "is not a score: it is a recording; expected it after --audio"),
+        ("x.csv", "a,b\n1,2\n", "is not a score: it is a table: expected risorius play"),
         ("x.score.json", "{", "is not JSON"),
         ("x.json", "not yet", "is not JSON"),
     ],
@@ -147,5 +147,5 @@ def test_a_transcript_that_holds_more_than_words_is_named(
 
 def test_a_recording_is_no_performance(tmp_path: Path) -> None:
     (tmp_path / "x.wav").write_bytes(b"RIFF" + bytes(60))
-    with pytest.raises(InputError, match="is not a performance: is a recording; expected it after --audio"):
+    with pytest.raises(InputError, match="is not a performance: it is a recording; expected it after --audio"):
         risorius.load(tmp_path / "x.wav")

@@ -143,7 +143,7 @@ def test_a_silent_film_and_one_that_is_cut_are_refused(tmp_path: Path) -> None:
 def test_a_list_of_addresses_is_never_followed(tmp_path: Path) -> None:
     film(tmp_path / "x.m4a", "aac")
     (tmp_path / "x.mp4").write_text(f"#EXTM3U\n#EXTINF:1,\n{tmp_path}/x.m4a\n#EXT-X-ENDLIST\n")
-    assert "is not a recording: is a text" in refusal(tmp_path / "x.mp4")
+    assert "is not a recording: it is a text" in refusal(tmp_path / "x.mp4")
 
 
 def test_a_decoder_that_says_nothing_is_given_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -43,9 +43,9 @@ def test_a_missing_file_a_folder_and_what_is_no_sound_are_refused(tmp_path: Path
     os.mkfifo(tmp_path / "pipe.mp3")
     assert "is not a regular file" in refusal(tmp_path / "pipe.mp3")
     (tmp_path / "text.wav").write_text("These are no samples. " * 20)
-    assert "is not a recording: is a text; expected risorius speak" in refusal(tmp_path / "text.wav")
+    assert "is not a recording: it is a text; expected risorius speak" in refusal(tmp_path / "text.wav")
     (tmp_path / "text.mp3").write_text("These are no samples. " * 20)
-    assert "is not a recording: is a text; expected risorius speak" in refusal(tmp_path / "text.mp3")
+    assert "is not a recording: it is a text; expected risorius speak" in refusal(tmp_path / "text.mp3")
     (tmp_path / "empty.wav").touch()
     assert "expected WAV, FLAC, OGG, MP3, M4A, MP4, MOV or WebM" in refusal(tmp_path / "empty.wav")
 

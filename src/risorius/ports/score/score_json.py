@@ -95,7 +95,7 @@ def load_document(path: Path, expected: str) -> JsonDocument:
         kind = kind_of_file(path)
         if kind is None or kind == SCORE:
             raise
-        raise InputError(f"is not a {expected}: {kind}", Place(str(path))) from None
+        raise InputError(f"is not a {expected}: it {kind}", Place(str(path))) from None
 
 
 def read_score_json(path: Path, _options: ReadOptions) -> ScoreFile:

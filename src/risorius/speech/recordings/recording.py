@@ -204,7 +204,7 @@ def _not_a_recording(path: Path, error: Exception) -> str:
     kind = kind_of_file(path)
     if kind is None or kind == RECORDING:
         return f"{_reason(error)}; expected {EXPECTED}"
-    return f"is not a recording: {kind}"
+    return f"is not a recording: it {kind}"
 
 
 def _reason(error: Exception) -> str:
