@@ -93,7 +93,11 @@ def test_a_recording_is_not_a_transcript(tmp_path: Path) -> None:
         ("voice.wav", b"\xff\xfb\x90\x00abc", "cannot be read"),
         ("voice.wav", SRT, "is not a recording: it looks like subtitles"),
         ("voice.mp3", b"PK\x03\x04" + bytes(60), "is not a recording: it is a document or an archive"),
-        ("x.glb", b"glTF" + bytes(60), "is not a recording: it is a character; expected it after risorius rig"),
+        (
+            "x.glb",
+            b"glTF" + bytes(60),
+            "is not a recording: it is a character; expected it after risorius rig",
+        ),
     ],
 )
 def test_a_file_that_is_no_recording_is_named(
@@ -147,5 +151,7 @@ def test_a_transcript_that_holds_more_than_words_is_named(
 
 def test_a_recording_is_no_performance(tmp_path: Path) -> None:
     (tmp_path / "x.wav").write_bytes(b"RIFF" + bytes(60))
-    with pytest.raises(InputError, match="is not a performance: it is a recording; expected it after --audio"):
+    with pytest.raises(
+        InputError, match="is not a performance: it is a recording; expected it after --audio"
+    ):
         risorius.load(tmp_path / "x.wav")

@@ -39,7 +39,10 @@ def voice(spoken_line: Utterance, tmp_path: Path, monkeypatch: pytest.MonkeyPatc
         ([], "nothing to perform; expected a text, a file or --audio"),
         (["Hello.", "--transcript", "Hello."], "a transcript needs its recording; expected --audio"),
         (["--audio", "none.wav"], "none.wav: there is no such file"),
-        (["--audio", "line.txt"], "line.txt: is not a recording: it is to be spoken; expected risorius speak"),
+        (
+            ["--audio", "line.txt"],
+            "line.txt: is not a recording: it is to be spoken; expected risorius speak",
+        ),
         (["--audio", "line.wav", "--transcript", "none.txt"], "none.txt: cannot be read"),
         (["--audio", "line.wav", "--transcript", ""], "line.wav: the text is empty"),
         (["--audio", "line.wav", "--transcript", "?"], "line.wav: nothing in '?' can be spoken"),
