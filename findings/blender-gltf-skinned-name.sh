@@ -1,8 +1,8 @@
 #!/bin/sh
 # Blender's glTF import gives the name of a skinned node that has a child to an EMPTY, and calls the mesh object by the mesh's name, or
 # NAME.001 where both names are the same. Without the child the mesh object has the node's name.
-# Guess before the run (that it happens was met by chance before; that a child is what it takes was not): each skinned node becomes one
-# mesh object with the node's name, and the child an object below it.
+# Expected (met by chance first; that a child is what it takes was found by trying eight trees): each skinned node becomes one mesh
+# object with the node's name, and the child an object below it.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -1,7 +1,6 @@
 #!/bin/sh
 # Blender's USD import keeps primvars:displayColor as an attribute that no material reads: a red mesh without material renders grey.
-# Guess before the run (met by chance before; this is what was expected then): a mesh without material gets one that shows its
-# displayColor, as usdview shows it.
+# Expected (met by chance first, so no blind guess): a mesh without material gets one that shows its displayColor.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Blender's USD import keeps the scene at 24 frames per second where the stage says framesPerSecond = 30 and timeCodesPerSecond = 30:
 # one second lasts 1.25 s.
-# Guess before the run: framesPerSecond sets the scene's rate (timeCodesPerSecond alone was known not to).
+# Expected (met by chance first, so no blind guess): framesPerSecond sets the scene's rate.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

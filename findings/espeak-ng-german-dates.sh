@@ -1,7 +1,7 @@
 #!/bin/sh
 # espeak-ng reads a German date as a cardinal number with the end of a sentence after it, and a year as a count.
-# Guess before the run (met by chance before; this is what was expected then): "23. April" has an ordinal ("dreiundzwanzigster"), and
-# 1998 after "im Jahr" is "neunzehnhundertachtundneunzig".
+# Expected (met by chance first, so no blind guess): "23. April" has an ordinal ("dreiundzwanzigster"), and 1998 after "im Jahr" is
+# "neunzehnhundertachtundneunzig".
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

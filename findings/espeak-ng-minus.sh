@@ -1,7 +1,7 @@
 #!/bin/sh
 # espeak-ng leaves the minus sign of a number out in five languages, or says it in English.
-# Guess before the run (met by chance before; this is what was expected then): "-3" has a word for minus in every language that has
-# rules for numbers, and U+2212 is the same word.
+# Expected (met by chance first, so no blind guess): "-3" has a word for minus in every language that has rules for numbers, and
+# U+2212 is the same word.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

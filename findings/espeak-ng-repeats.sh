@@ -1,7 +1,7 @@
 #!/bin/sh
 # espeak-ng gives other samples, and another number of them, each time that one process asks for the same text; a seed does not help.
-# Guess before the run (the first half was met by chance before): a voice without variant gives the same bytes each time, and
-# espeak_ng_SetRandSeed before each request gives the same bytes for variants such as +f3 and +whisper.
+# Expected (of variants met by chance first; of the plain voice and the seed put down after the run): a voice without variant gives
+# the same bytes each time, and espeak_ng_SetRandSeed before each request does so for variants such as +f3.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -1,7 +1,8 @@
 #!/bin/sh
 # kalidokit's Face.solve never gives the vowel E, U at most 0.1 and O at most 0.4, whatever the mouth does.
-# Guess before the run: over the mouths of speech (3 to 7 cm wide, 0 to 4 cm open) each of the five VRM vowels leads somewhere, E for a
-# wide mouth that is half open, U for a narrow one. (Reading its source for the call, before the run, made that doubtful.)
+# Expected (the source was read before the run and made it doubtful): over the mouths of speech (3 to 7 cm wide, 0 to 4 cm open)
+# each of the five VRM vowels leads somewhere, E for a wide mouth that is half open, U for a narrow one. The guess put down before,
+# all vowels near 0 with the mouth shut, was another one and is not tested here.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

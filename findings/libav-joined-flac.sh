@@ -1,6 +1,7 @@
 #!/bin/sh
 # libav loses the first frame (4,096 samples) of the second of two FLAC files joined byte after byte, if the files are short.
-# Guess before the run (that a frame can be lost was met by chance before): the same happens at every length.
+# Expected (that a frame can be lost was met by chance first; its place and the lengths were not guessed): nothing is lost at any
+# length.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

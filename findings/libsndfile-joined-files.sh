@@ -1,8 +1,8 @@
 #!/bin/sh
 # libsndfile refuses two WAV or AIFF files joined byte after byte, with a message that denies the RIFF chunk, and plays the second
 # header of joined W64 files as sound. The other formats give the first file's sound.
-# Guess before the run (of WAV, met by chance before; the others are new): the first file's sound in all, as Python's wave module and
-# libav give it.
+# Expected (WAV met by chance first; the other formats put down after the run): the first file's sound in all, as Python's wave
+# module and libav give it.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

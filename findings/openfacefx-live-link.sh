@@ -1,6 +1,7 @@
 #!/bin/sh
 # openfacefx keeps the time of day of a Live Link Face table, so that two seconds recorded at ten o'clock become a track of ten hours.
-# Guess before the run: the track begins at 0 and lasts two seconds.
+# Guess before the run: the time codes are read exactly. That the track begins at 0 and lasts two seconds is what one expects, put
+# down after it.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

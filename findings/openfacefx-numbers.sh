@@ -1,8 +1,7 @@
 #!/bin/sh
 # openfacefx performs a text's words and leaves its numbers out without a warning: the lips of "25" stay closed, and all that follows
 # comes at another time.
-# Guess before the run: numbers are read as words, for the program normalizes its text; else its report warns, as it does of words that
-# its dictionary lacks.
+# Guess before the run: numbers are spoken as words. That at least the report would warn was put down after it.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -1,6 +1,6 @@
 #!/bin/sh
 # OpenJTalk (pyopenjtalk-plus) reads the signs + × ÷ of Japanese text, but no minus, and a clock time without its hour and minute.
-# Guess before the run (of minus and clock, met by chance before; the other signs are new): all signs of arithmetic are read alike,
+# Expected (minus and clock met by chance first; the other signs put down after the run): all signs of arithmetic are read alike,
 # minus as "mainasu", and 19:30 is "juukuji sanjuppun", as 19時30分 is.
 set -eu
 folder=$(mktemp -d)

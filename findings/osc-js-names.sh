@@ -1,6 +1,7 @@
 #!/bin/sh
 # osc-js writes a VMC expression name such as "あ" as another letter ("B"): it keeps the low byte of each character. It reads UTF-8 right.
-# Guess before the run: osc, osc-min, node-osc and osc-js all write UTF-8, and osc-js, the one made for browsers too, reads it as Latin-1.
+# Guess before the run: osc, osc-min and node-osc read UTF-8 right and osc-js does not. It was wrong: all read it. Of writing there
+# was no guess; one expects UTF-8 from each.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

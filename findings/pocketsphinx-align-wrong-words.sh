@@ -1,7 +1,7 @@
 #!/bin/sh
 # pocketsphinx's alignment of states ends with "Failed to stop utterance processing" where a transcript has wrong words, unless
 # bestpath is off; the pass over the words before it succeeds.
-# Guess before the run: wrong words are aligned with low scores, whatever bestpath says.
+# Expected (put down after the run): wrong words are aligned with low scores, whatever bestpath says.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -1,8 +1,8 @@
 #!/bin/sh
 # pocketsphinx's Decoder.seg() gives acoustic scores on two scales: the option bestpath=False divides their logarithms by 1,024, so that
 # right and wrong words of a forced grammar all score about 0.9.
-# Guess before the run: segments with the same frames have the same ascore with and without bestpath. (That ascore does not separate
-# right from wrong words had been met by chance before; the factor had not.)
+# Expected (put down after the run): segments with the same frames have the same ascore with and without bestpath. That ascore does
+# not separate right from wrong words had been met by chance; the factor had not.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -1,6 +1,6 @@
 #!/bin/sh
 # pylivelinkface writes packets of 24 or 30 frames per second with a frame rate of 24/0 or 30/0.
-# Guess before the run: a rate is written as the whole number over 1.
+# Expected (found by reading the source before the run): a rate is written as the whole number over 1.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

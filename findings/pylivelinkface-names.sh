@@ -1,7 +1,7 @@
 #!/bin/sh
 # pylivelinkface cannot decode its own packet where the subject's name has a letter outside ASCII: it writes the name's length in
 # characters and the name in UTF-8.
-# Guess before the run: each name survives encode and decode.
+# Guess before the run: each name survives encode and decode. Its source, read before the run, said otherwise.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -1,7 +1,7 @@
 #!/bin/sh
 # three's Skeleton.pose() moves and scales a skinned model that gltf-transform's quantize() or gltfpack has packed: both keep the scale
 # of the packed positions in the inverse bind matrices, and pose() takes the places of the bones from these.
-# Guess before the run (met by chance before; this is what was expected then): the model at rest looks the same before and after pose().
+# Expected (met by chance first, so no blind guess): the model at rest looks the same before and after pose().
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -1,8 +1,8 @@
 #!/bin/sh
 # TalkingHead's lip sync speaks "$5" as "dollars five", gives "don’t" with a typographic apostrophe a vowel more than "don't", and in
 # German reads 7:30 as seven hundred and thirty and no minus.
-# Guess before the run: "five dollars", both apostrophes alike, and in German "minus drei" and a time of day, as its English module reads
-# "-3" (right) and 7:30.
+# Guess before the run: in English "-3" is "minus three" (right) and "don't" is no trouble. Of "$5", the other apostrophe, U+2212
+# and German there was no guess; what is expected of them was put down after the run.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
