@@ -120,7 +120,7 @@ class Espeak:
     def speak(self, text: str, flags: int) -> tuple[bytes, list[tuple[int, str, int]]]:
         """Return the sound and the phonemes: sample, name, position of the word in the text."""
         data = text.encode()
-        # The breath of some voices is noise from the C library, whose numbers go on from one load to the next.
+        # The C library draws the noise of breathy voices; its numbers go on from one load to the next.
         _c_library.srand(1)
         code = self._lib.espeak_Synth(
             data, ctypes.c_size_t(len(data) + 1), ctypes.c_uint(0), ctypes.c_int(1), ctypes.c_uint(0),
