@@ -11,7 +11,6 @@ from pathlib import Path
 
 from ..core.registry import Registry
 from ..errors import InputError, Place, UnusedSettingError, unknown
-from .apml import parse_apml
 from .bml import parse_bml
 from .files import names_something, read_text
 from .kinds import SUFFIXES, is_apml, misplaced
@@ -26,9 +25,16 @@ from .utt import parse_utterance
 ScriptReader = Callable[[str, str], Script]
 
 
+def _parse_apml(text: str, source: str) -> Script:
+    """Return the script of a document in APML, whose reader is loaded with the first one."""
+    from .apml import parse_apml
+
+    return parse_apml(text, source)
+
+
 def _parse_xml(text: str, source: str) -> Script:
     """Return the script of an XML document, by its root: APML, or the markup."""
-    return (parse_apml if is_apml(text) else parse_markup)(text, source)
+    return (_parse_apml if is_apml(text) else parse_markup)(text, source)
 
 
 READERS: Registry[ScriptReader] = Registry("suffix")
@@ -37,7 +43,7 @@ READERS.register(".xml")(_parse_xml)
 READERS.register(".utt")(parse_utterance)
 READERS.register(".ssml")(parse_ssml)
 READERS.register(".bml")(parse_bml)
-READERS.register(".apml")(parse_apml)
+READERS.register(".apml")(_parse_apml)
 READERS.register(".md")(parse_markdown)
 READERS.register(".markdown")(parse_markdown)
 
