@@ -1,4 +1,4 @@
-"""What of a performance arrives in other programs: every export's file, read by a program that is not ours.
+"""Compare exported files, as outside programs read them, with our own face.
 
     python benchmarks/abroad.py [--heads standard amara …] [--sentences 4] [--full] [--keep FOLDER]
 

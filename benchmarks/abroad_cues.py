@@ -19,9 +19,9 @@ PRESETS = ("aa", "ih", "ou", "ee", "oh")
 
 @dataclass(frozen=True)
 class Closures:
-    """Of all frames in which our lips are sealed, what the visemes show there.
+    """The visemes in the frames in which our lips are sealed.
 
-    `frames`: how many; `least` and `most`: the least weight of `PP` and the greatest of the open vowels in
+    `frames`: their number; `least`, `most`: the least weight of `PP` and the greatest of the open vowels in
     `.oculus.csv`; `preset`: the greatest of VRM's vowels in `.vrma`, or None without a reader; `shape` and
     `event`: in how many frames `.visemes.json` has A and `.azure.json` 21.
     """

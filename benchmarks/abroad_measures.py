@@ -1,4 +1,4 @@
-"""What `abroad.py` measures on a mesh: lips, lower lip and teeth, lids, gaze, head.
+"""Measure lips, lower lip and teeth, lids, gaze and head on a mesh, for `abroad.py`.
 
 All is measured on some vertices of the level-1 skin, the `wanted` ones, whose order is that of every array
 here: what lips, lids and teeth need, and every eighth of those that the fit of ARKit weights counts.
@@ -52,7 +52,7 @@ class Own:
 
 @dataclass(frozen=True)
 class Loss:
-    """What a file loses against our face.
+    """The differences between a file and our face.
 
     gap       mm over rest that lips stand open at a place, at most, in a frame in which ours are sealed
     overlap   mm by which they overlap there more than at rest, at most

@@ -53,7 +53,7 @@ HEADER = (
 
 @dataclass(slots=True)
 class Found:
-    """What the weights of some sentences do, sentence by sentence or frame by frame."""
+    """Measures of the weights of some sentences, by sentence or by frame."""
 
     own: list[Array] = field(default_factory=list)
     gap: list[Array] = field(default_factory=list)

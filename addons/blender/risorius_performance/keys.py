@@ -76,7 +76,7 @@ def get_rate() -> tuple[int, float]:
 
 
 def set_rate(rate: tuple[int, float]) -> None:
-    """Let the scene play so many frames in so many seconds."""
+    """Set the frames of the scene, and the seconds that they last, as `get_rate` returns them."""
     render = bpy.context.scene.render
     render.fps, render.fps_base = rate
 

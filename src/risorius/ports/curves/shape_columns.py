@@ -36,7 +36,7 @@ _KNOWN = frozenset(name.lower() for name in CSV_SHAPES)
 
 
 def time_column(header: Header) -> str:
-    """Return the name of the column with the times; raise InputError if there is none."""
+    """Return the name of the column with the times; raise InputError if no column has them."""
     found = [name for name in header.names if name == TIMECODE or name.lower() in SECONDS]
     if not found:
         header.require((TIMECODE,), "a Live Link Face take")

@@ -29,7 +29,7 @@ EXTENSION, VERSION = "VRMC_vrm_animation", "1.0"
 # The bones that a humanoid must have above its head, and where each stands above the one before, in metres.
 BONES = {"hips": 1.0, "spine": 0.12, "chest": 0.2, "neck": 0.22, "head": 0.08}
 _EYES_ABOVE_HEAD = 0.06
-# The preset that is none in VRM 0: its avatars have it as a custom expression, which loaders do not rename.
+# VRM 0 lacks this preset: its avatars have a custom expression instead, which loaders do not rename.
 _ONLY_VRM1 = "surprised"
 
 

@@ -15,7 +15,7 @@ from ..resampled import Resampled
 from .confidence import DOUBTFUL_SILENCE, OWN, mean_score
 from .decoder import AlignedPhone, AlignmentError, Decoders, Readings
 
-# As many words, from the first and from the last on, are sought, within so many seconds of the ends.
+# At each end, this number of words is sought within this number of seconds.
 SOUGHT_WORDS, SOUGHT_SECONDS = 14, 60.0
 # A window is longer than its words are usually spoken: by this factor, and by these seconds; and it begins
 # this share of their length after the one before.

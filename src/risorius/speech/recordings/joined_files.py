@@ -104,7 +104,7 @@ def flac_starts(path: Path, reached: int) -> list[int]:
 def rest_after(
     path: Path, container: str, rate: int, frames: int, reached: int, place: Place
 ) -> Iterator[Float32Array]:
-    """Yield the sound after the first `frames` samples at `rate`, in blocks; none if there is none.
+    """Yield the sound after the first `frames` samples at `rate`, in blocks, until the file ends.
 
     `reached`: the bytes that hold them, and perhaps a few more. Raises InputError if it cannot be decoded.
     """
