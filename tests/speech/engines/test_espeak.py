@@ -87,16 +87,6 @@ def test_an_error_that_the_worker_tells_is_no_reason_to_restart(started: list[Wo
     assert len(started) == 1
 
 
-@pytest.mark.parametrize("variant", ["f3", "whisper", "croak"])
-def test_the_noise_of_breathy_voices_is_the_same_each_time(engine: EspeakEngine, variant: str) -> None:
-    texts = "My baby brother put the map by the beam.", "Another one, quite different from it, she said."
-    voice = find_voice(f"en-us+{variant}", engine=engine)
-    with EspeakEngine() as other:
-        renditions = [other.synthesize(SpeechRequest(texts[k], voice)) for k in (0, 1, 0, 1, 0)]
-    for k, rendition in enumerate(renditions[2:]):
-        assert_same(rendition, renditions[k])
-
-
 def test_equal_requests_give_equal_bytes_within_and_across_processes(engine) -> None:
     request = SpeechRequest("She sells sea shells; the shells she sells are shells, I'm sure.", AMERICAN)
     renditions = [engine.synthesize(request) for _ in range(3)]

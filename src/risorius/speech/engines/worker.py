@@ -67,7 +67,6 @@ class _Voice(ctypes.Structure):
 _Callback = ctypes.CFUNCTYPE(
     ctypes.c_int, ctypes.POINTER(ctypes.c_short), ctypes.c_int, ctypes.POINTER(_Event)
 )
-_c_library = ctypes.CDLL(None if os.name == "posix" else "ucrtbase")
 _unload: Callable[[int], Any] = getattr(_ctypes, "dlclose" if os.name == "posix" else "FreeLibrary")
 
 
@@ -120,8 +119,6 @@ class Espeak:
     def speak(self, text: str, flags: int) -> tuple[bytes, list[tuple[int, str, int]]]:
         """Return the sound and the phonemes: sample, name, position of the word in the text."""
         data = text.encode()
-        # The C library draws the noise of breathy voices; its numbers go on from one load to the next.
-        _c_library.srand(1)
         code = self._lib.espeak_Synth(
             data, ctypes.c_size_t(len(data) + 1), ctypes.c_uint(0), ctypes.c_int(1), ctypes.c_uint(0),
             ctypes.c_uint(UTF8 | flags), None, None,
